@@ -15,6 +15,8 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/answers_file.hpp"
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
@@ -24,6 +26,7 @@
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/cosim/cosim.hpp"
 #include "sim/cosim/ray_unit.hpp"
+#include "sim/operands/traced_list.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/render/image_file.hpp"
 
@@ -48,7 +51,7 @@ struct CosimCommand {
   bool bit_level = false;
   std::string unit;
   ref::WhittedOptions light;
-  std::string rays;  ///< a file; empty: those of a picture
+  RayListChoice rays;
   std::string out;
   OutputFormat format = OutputFormat::text;
 };
@@ -122,7 +125,7 @@ std::vector<std::string> schematics(const fs::path& folder, const rtl::UnitFiles
 }
 
 /// Throws std::runtime_error, one line, for an option that means nothing for a triangle unit.
-int cosimulate_triangles(const CosimCommand& command) {
+int cosimulate_triangles(const CosimCommand& command, const CLI::App& parsed) {
   const auto refuse = [&](bool given, const char* option) {
     if (given)
       throw std::runtime_error(
@@ -134,12 +137,13 @@ int cosimulate_triangles(const CosimCommand& command) {
   refuse(command.bit_level, "--bit-level");
   return cosimulate_world({command.choice, command.library, command.scene, command.hierarchy, command.boxes,
                            command.box_unit.value_or("int_major"), command.flow_control, command.interval,
-                           command.rays_in_flight, command.light, command.rays, command.out, command.format});
+                           command.rays_in_flight, command.light, command.rays, command.out, command.format},
+                          parsed);
 }
 
-int cosimulate(const CosimCommand& command) {
+int cosimulate(const CosimCommand& command, const CLI::App& parsed) {
   const rtl::Design& design = command.choice.design();
-  if (design.kind == hls::triangle_kind) return cosimulate_triangles(command);
+  if (design.kind == hls::triangle_kind) return cosimulate_triangles(command, parsed);
   if (command.boxes.bits)
     throw std::runtime_error(fmt::format("--boxes: not for design {}, which tests boxes", design.name));
   if (command.box_unit)
@@ -154,10 +158,11 @@ int cosimulate(const CosimCommand& command) {
   const ref::Scene scene = command.scene.load();
   const fs::path folder = command.out;
   const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
-  const bool draws = !command.out.empty() && command.rays.empty();
+  const bool draws = !command.out.empty() && !command.rays.given();
   if (draws) host::announce_output("--out", image);
   std::vector<sim::AskedRay> rays;
-  if (!command.rays.empty()) rays = sim::read_ray_list(command.rays, scene.to_cube);
+  if (command.rays.given()) rays = sim::read_ray_list(command.rays.file, scene.to_cube);
+  AnswersFile answers(command.rays.answers);
   const ref::LoadedBvh hierarchy = ref::make_hierarchy(scene, command.hierarchy);
   progress.emplace("compiling the Verilog");
   const sim::VerilatedDesign verilated(unit);
@@ -182,6 +187,15 @@ int cosimulate(const CosimCommand& command) {
                                                    .light = command.light,
                                                    .rays = rays,
                                                    .progress = [&](double share) { progress->show(share); }});
+  if (answers.wanted()) {
+    progress.emplace("tracing in software");
+    const auto exact =
+        sim::trace_list(*ref::make_tracer(scene.mesh, hierarchy.bvh, {}), rays, command.scene.threads);
+    answers.add({}, rays, [&](std::size_t ray) {
+      return sim::answer_of(scene, rays[ray], result.triangles[ray], exact.triangles[ray]);
+    });
+    answers.finish(notes_of(parsed, scene));
+  }
   progress.reset();
 
   Row row = record(command, unit, scene, hierarchy, result);
@@ -240,7 +254,7 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
       "Run the unit behind a memory of N rays, as `hitpipe rtl --ray-slots` writes it, with a slot "
       "for each ray in flight");
   add_light_options(*command, options->light);
-  add_ray_list_option(*command, options->rays);
+  add_ray_list_options(*command, options->rays);
   command->add_flag("--referee", options->referee, "Exact arithmetic judges every answer");
   command->add_flag("--bit-level", options->bit_level,
                     "Compare every test of a float design with the bit-level C++; otherwise one in 61, and "
@@ -249,11 +263,11 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
   add_format_option(*command, options->format);
   const auto moves = std::make_shared<RescaleChoice>();
   add_rescale_options(*command, *moves, {"design", "--bits"});
-  command->callback([options, moves, &exit_code] {
+  command->callback([options, moves, command, &exit_code] {
     moves->build = options->hierarchy.build;
     moves->build.threads = options->hierarchy.build.threads = options->scene.threads;
     exit_code = moves->asked ? rescale(options->scene, *moves, &options->choice, options->format)
-                             : cosimulate(*options);
+                             : cosimulate(*options, *command);
   });
   return command;
 }

@@ -15,9 +15,12 @@
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
+#include "cli/text/answers_file.hpp"
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
+#include "sim/operands/traced_list.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/memory/read_bytes.hpp"
 #include "sw_ref/render/image_compare.hpp"
@@ -42,6 +45,7 @@ struct RenderCommand {
   std::string box_map;
   std::string extra_box_map;
   std::string triangle_map;
+  RayListChoice rays;
   RescaleChoice moves;
   std::vector<std::string> images;  ///< to compare
   bool compare = false;
@@ -157,6 +161,68 @@ void make_traced(const RenderCommand& command, Traced& traced) {
       ref::int_tracer(traced.integers->mesh, traced.integers->hierarchy(), {.world = bits, .boxes = boxes});
 }
 
+/// The tracer that cannot miss.
+std::unique_ptr<ref::Tracer> reference_for(const Traced& traced) {
+  return traced.integers ? ref::int_tracer(traced.integers->mesh, traced.integers->hierarchy(),
+                                           {.world = traced.integers->bits})
+                         : ref::make_tracer(traced.scene.mesh, traced.hierarchy.bvh, {});
+}
+
+/// What was traced, and with what.
+Row row_of(const RenderCommand& command, const Traced& traced) {
+  const ref::Scene& scene = traced.drawn();
+  const ref::Tracer& tracer = *traced.tracer;
+  Row row{{"scene", scene.name}, {"stands_for", scene.stand_in_for}};
+  row.update(traced.integers ? scene_row(*traced.integers) : scene_row(scene));
+  row["bvh_nodes"] = tracer.node_count();
+  row["hierarchy"] = command.hierarchy.name();
+  if (!command.hierarchy.file.empty() && !traced.integers)
+    row["bvh_boxes_grown"] = traced.hierarchy.boxes_grown;
+  row.update({{"bytes_per_node", tracer.bytes_per_node()},
+              {"node_bytes", tracer.node_count() * tracer.bytes_per_node()}});
+  return row;
+}
+
+void add_all_work(Row& row, const ref::RenderCounts& counts) {
+  add_work(row, counts, "box_tests", &ref::TraceCounts::box_tests);
+  add_work(row, counts, "triangle_tests", &ref::TraceCounts::triangle_tests);
+  add_work(row, counts, "nodes_loaded", &ref::TraceCounts::nodes_loaded);
+  add_work(row, counts, "triangles_loaded", &ref::TraceCounts::triangles_loaded);
+}
+
+/// The rays of a file, also by exact arithmetic.
+void trace_rays(const RenderCommand& command, const CLI::App& parsed) {
+  std::optional<Progress> progress("reading the scene and its hierarchy");
+  Traced traced;
+  make_traced(command, traced);
+  const std::vector<sim::AskedRay> rays = sim::read_ray_list(command.rays.file, traced.drawn().to_cube);
+  AnswersFile answers(command.rays.answers);
+  progress.emplace("tracing");
+  const auto show = [&](double share) { progress->show(share); };
+  const int threads = command.scene.threads;
+  const auto start = std::chrono::steady_clock::now();
+  const sim::TracedList found = sim::trace_list(*traced.tracer, rays, threads, show);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  progress.emplace("tracing with the reference");
+  const sim::TracedList exact = sim::trace_list(*reference_for(traced), rays, threads, show);
+  answers.add({}, rays, [&](std::size_t ray) {
+    const auto answer = [&](const auto& scene) {
+      return sim::answer_of(scene, rays[ray], found.triangles[ray], exact.triangles[ray]);
+    };
+    return traced.integers ? answer(*traced.integers) : answer(traced.scene);
+  });
+  answers.finish(notes_of(parsed, traced.drawn()));
+  progress.reset();
+
+  Row row = row_of(command, traced);
+  row.update({{"rays_primary", found.counts.primary.rays},
+              {"rays_shadow", found.counts.shadow.rays},
+              {"different_triangles", sim::different_answers(rays, found.triangles, exact.triangles)}});
+  add_all_work(row, found.counts);
+  row["seconds"] = seconds.count();
+  fmt::print("{}", record_text(row, command.format));
+}
+
 void render_scene(const RenderCommand& command) {
   const ref::TracerOptions tracing =
       command.trace.world == World::floats ? command.trace.options() : ref::TracerOptions{};
@@ -188,24 +254,13 @@ void render_scene(const RenderCommand& command) {
     progress.emplace("rendering the reference");
     options.traced = {};
     options.tile_side = ref::tile_side_for(1);
-    const std::unique_ptr<ref::Tracer> reference =
-        traced.integers ? ref::int_tracer(traced.integers->mesh, traced.integers->hierarchy(),
-                                          {.world = traced.integers->bits})
-                        : ref::make_tracer(scene.mesh, traced.hierarchy.bvh, {});
-    extra = ref::extra_box_tests(result, ref::render(scene, *reference, options));
+    extra = ref::extra_box_tests(result, ref::render(scene, *reference_for(traced), options));
   }
   progress.reset();
 
   const ref::RenderCounts& counts = result.counts;
-  Row row{{"scene", scene.name}, {"stands_for", scene.stand_in_for}};
-  row.update(traced.integers ? scene_row(*traced.integers) : scene_row(scene));
-  row["bvh_nodes"] = tracer->node_count();
-  row["hierarchy"] = command.hierarchy.name();
-  if (!command.hierarchy.file.empty() && !traced.integers)
-    row["bvh_boxes_grown"] = traced.hierarchy.boxes_grown;
-  row.update({{"bytes_per_node", tracer->bytes_per_node()},
-              {"node_bytes", tracer->node_count() * tracer->bytes_per_node()},
-              {"rays_primary", counts.primary.rays},
+  Row row = row_of(command, traced);
+  row.update({{"rays_primary", counts.primary.rays},
               {"rays_secondary", counts.secondary.rays},
               {"rays_shadow", counts.shadow.rays},
               {"stiff_rays_pct", stiff.stiff_pct()},
@@ -215,10 +270,7 @@ void render_scene(const RenderCommand& command) {
               {"queue_bytes_primary", result.shading.queue_bytes_of(ref::RayKind::primary)},
               {"queue_bytes_secondary", result.shading.queue_bytes_of(ref::RayKind::secondary)},
               {"queue_bytes_shadow", result.shading.queue_bytes_of(ref::RayKind::shadow)}});
-  add_work(row, counts, "box_tests", &ref::TraceCounts::box_tests);
-  add_work(row, counts, "triangle_tests", &ref::TraceCounts::triangle_tests);
-  add_work(row, counts, "nodes_loaded", &ref::TraceCounts::nodes_loaded);
-  add_work(row, counts, "triangles_loaded", &ref::TraceCounts::triangles_loaded);
+  add_all_work(row, counts);
   if (!command.caches.kib.empty()) add_reads(row, command, tracing, traced);
   row["seconds"] = seconds.count();
   if (!command.out.empty()) {
@@ -256,6 +308,11 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
   file("--triangle-map", options->triangle_map, "The same for triangle tests");
   file("--extra-box-map", options->extra_box_map,
        "Map of the box tests beyond conservative float slabs (the default), in the same colours");
+  add_ray_list_options(*command, options->rays);
+  for (const char* const picture :
+       {"--out", "--depth-map", "--box-map", "--triangle-map", "--extra-box-map", "--cache"})
+    exclude(command->get_option("--rays"), command->get_option(picture),
+            "the rays of a file make no picture");
   add_format_option(*command, options->format);
   add_rescale_options(*command, options->moves, {});
   as_input(command->add_option("image", options->images, "Two images of one size, for --compare"))
@@ -275,7 +332,7 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
   command->get_option("--scene")->required(false);
   exclude_all_but(*command, compares, {"image", "--tolerance", "--out", "--format"},
                   "two images are compared, and nothing is rendered");
-  command->callback([options, &exit_code] {
+  command->callback([options, command, &exit_code] {
     const std::size_t images = options->compare ? 2 : 0;
     if (options->images.size() != images)
       throw std::runtime_error(fmt::format("render: {} images; --compare takes two", options->images.size()));
@@ -286,6 +343,8 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
       exit_code = compare_images(*options);
     } else if (options->moves.asked) {
       exit_code = rescale(options->scene, options->moves, nullptr, options->format);
+    } else if (options->rays.given()) {
+      trace_rays(*options, *command);
     } else {
       render_scene(*options);
     }

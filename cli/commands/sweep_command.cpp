@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,6 +21,7 @@
 #include "cli/options/values.hpp"
 #include "cli/pieces/pieces.hpp"
 #include "cli/report/sweep_rows.hpp"
+#include "cli/text/answers_file.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/last_line.hpp"
 #include "cli/text/progress.hpp"
@@ -28,6 +31,7 @@
 #include "host/files.hpp"
 #include "host/text.hpp"
 #include "sim/cosim/ray_unit.hpp"
+#include "sim/operands/traced_list.hpp"
 #include "sim/software.hpp"
 #include "sim/sweep/resume.hpp"
 
@@ -43,7 +47,7 @@ struct SweepCommand {
   std::vector<int> rays_in_flight{32};
   std::vector<int> intervals;  ///< empty: a test in every cycle
   ref::WhittedOptions light;
-  std::string rays;  ///< a file; empty: those of a picture
+  RayListChoice rays;
   CostChoice cost;
   std::vector<std::string> rows;  ///< files with rows that were measured elsewhere
   PiecesChoice pieces;
@@ -155,7 +159,7 @@ int sweep_triangles(const SweepCommand& command, const CLI::App& parsed, const r
   if (command.intervals.size() > 1)
     throw std::runtime_error("--ii: a sweep of a triangle unit takes one interval");
   if (!command.rows.empty()) throw std::runtime_error("--rows: a sweep of a triangle unit takes none");
-  if (!command.rays.empty())
+  if (command.rays.given())
     throw std::runtime_error("--rays: a sweep of a triangle unit compares pictures, and a file makes none");
   const std::vector<rtl::Format> formats = command.units.formats({&design}, world_formats).front().formats;
   const auto measured = [&](host::Piece piece) {
@@ -216,12 +220,19 @@ std::vector<sim::SweepRow> measure(const SweepCommand& command, const CutWork& w
                             .more = {command.rows.begin(), command.rows.end()}};
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
-  std::vector<sim::AskedRay> rays;
-  if (!command.rays.empty()) rays = sim::read_ray_list(command.rays, scene.to_cube);
-  sweep.options.rays = rays;
+  std::vector<sim::AskedRay> list;
+  if (command.rays.given()) list = sim::read_ray_list(command.rays.file, scene.to_cube);
+  sweep.options.rays = list;
   const ref::Bvh bvh = ref::make_hierarchy(scene, command.hierarchy).bvh;
   sweep.scene = &scene;
   sweep.bvh = &bvh;
+  AnswersFile answers(command.rays.answers, {"design", "bits", "rays_in_flight", "ii"});
+  // Rows are measured in an order of their own.
+  std::map<sim::RowKey, std::pair<sim::SweepPoint, std::vector<std::uint32_t>>> found;
+  if (answers.wanted())
+    sweep.options.answered = [&](const sim::SweepPoint& point, std::span<const std::uint32_t> triangles) {
+      found.insert({sim::key_of(point), {point, {triangles.begin(), triangles.end()}}});
+    };
   progress.emplace("sweeping");
   sweep.options.progress = [&](double share) { progress->show(share); };
   const std::filesystem::path out = command.out;
@@ -229,7 +240,23 @@ std::vector<sim::SweepRow> measure(const SweepCommand& command, const CutWork& w
   sweep.notes = csv_metadata({csv_table(out, sim::to_csv({}))}, notes);
   sweep.notes_file = metadata_file(out);
   const LastLine line(fmt::format("the same command goes on with the rows of {}", file.string()));
-  return sim::resume(sweep);
+  std::vector<sim::SweepRow> rows = sim::resume(sweep);
+  if (answers.wanted()) {
+    progress.emplace("tracing in software");
+    const auto exact = sim::trace_list(*ref::make_tracer(scene.mesh, bvh, {}), list, command.scene.threads);
+    for (const auto& each : found) {
+      const auto& measured = each.second;
+      const sim::SweepPoint& point = measured.first;
+      const std::vector<std::string> unit{std::string(point.design->name), rtl::to_string(point.format),
+                                          fmt::format("{}", point.rays_in_flight),
+                                          fmt::format("{}", point.interval)};
+      answers.add(unit, list, [&](std::size_t ray) {
+        return sim::answer_of(scene, list[ray], measured.second[ray], exact.triangles[ray]);
+      });
+    }
+    answers.finish(notes);
+  }
+  return rows;
 }
 
 /// The rows of a piece are in a file of their own until there are all, so that its file is whole when it is
@@ -273,6 +300,10 @@ int sweep(const SweepCommand& command, const CLI::App& parsed) {
     return 0;
   }
   if (command.pieces.piece) return measure_piece(command, work, library, points);
+  if (!command.rays.answers.empty() && std::filesystem::exists(command.out))
+    throw std::runtime_error(
+        fmt::format("--answers: rows that {} holds are not measured again; remove it or give another --out",
+                    command.out));
   Row notes;
   const std::vector<sim::SweepRow> rows = measure(command, work, library, points, command.out, notes);
   return report(rows, notes, command.format);
@@ -323,7 +354,7 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
       "Of a triangle unit: bits p of the boxes' mantissas; one row for each (4 to 32; default: 9,11,13)", "P")
       ->transform(number_from(hls::MajorBits::min_mantissa, hls::MajorBits::max_mantissa));
   add_light_options(*command, options->light);
-  add_ray_list_option(*command, options->rays);
+  add_ray_list_options(*command, options->rays);
   add_cost_options(*command, options->cost);
   as_input(add_list_option(
       *command, "--rows", options->rows,
@@ -334,6 +365,9 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
       ->required();
   for (const char* const other : {"--pieces", "--piece"})
     exclude(command->get_option("--rows"), command->get_option(other), "a piece measures its own rows");
+  exclude(command->get_option("--answers"), command->get_option("--rows"),
+          "their rays were traced elsewhere");
+  exclude_answers_of_pieces(*command);
   command->callback([options, command, &exit_code] {
     options->hierarchy.build.threads = options->scene.threads;
     exit_code = options->pieces.join.empty() ? sweep(*options, *command) : join(*options, *command);

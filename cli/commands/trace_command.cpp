@@ -23,6 +23,8 @@
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
 #include "cli/pieces/pieces.hpp"
+#include "cli/text/answers_file.hpp"
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
@@ -35,6 +37,7 @@
 #include "sim/core/native_core.hpp"
 #include "sim/core/picture_rays.hpp"
 #include "sim/machine/verilated_machine.hpp"
+#include "sim/operands/answer.hpp"
 #include "sw_ref/core/core_image.hpp"
 #include "sw_ref/render/image_file.hpp"
 
@@ -47,7 +50,7 @@ struct TraceCommand {
   ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
   std::vector<int> rays_in_flight{128};
-  std::string rays;  ///< a file; empty: those of a picture
+  RayListChoice rays;
   CoreChoice core;
   std::vector<int> latency{100};
   sim::MemoryOptions memory;
@@ -77,6 +80,13 @@ std::vector<Row> turned(const std::vector<Row>& rows) {
   return lines;
 }
 
+/// What a core answers a ray of a list, and the triangle that software finds.
+struct CoreRayAnswer {
+  ref::IntHit hit;
+  bool failed;
+  std::uint32_t exact;
+};
+
 /// A scene as cores trace it: which rays, and each core's machine.
 class Tracing {
  public:
@@ -92,7 +102,7 @@ class Tracing {
       throw std::runtime_error(fmt::format(
           "--levels {}: the scene has {} records on a path; allowed is {} to {}", command.core.options.levels,
           image_.levels, image_.levels, rtl::CoreOptions::most_levels));
-    if (!command.rays.empty()) list_ = sim::read_ray_list(command.rays, loaded_.to_cube);
+    if (command.rays.given()) list_ = sim::read_ray_list(command.rays.file, loaded_.to_cube);
     if (!list_.empty()) check_parts(command, list_.size(), "rays");
   }
 
@@ -126,12 +136,29 @@ class Tracing {
                               .picture = !command_.pieces.piece});
   }
 
+  /// `answers` is where a core's answers are kept, by ray of the list.
   [[nodiscard]] sim::CoreTrace trace(std::size_t core, const sim::PictureRays& rays,
-                                     const std::function<void(double)>& progress) const {
-    return sim::trace_core(cores_[core], *machines_[core], image_, rays, command_.memory, progress);
+                                     const std::function<void(double)>& progress,
+                                     std::vector<CoreRayAnswer>* answers) const {
+    const auto keep = [&](std::span<const sim::CoreAnswer> given) {
+      if (answers == nullptr) return;
+      for (std::size_t i = 0; i < given.size(); ++i)
+        answers->push_back({given[i].hit, given[i].failed, rays.triangles[i]});
+    };
+    return sim::trace_core(cores_[core], *machines_[core], image_, rays, command_.memory, progress, keep);
   }
 
-  [[nodiscard]] const std::string& name() const { return loaded_.name; }
+  /// The core's T stands in the file, so that a wrong one is seen.
+  void write(AnswersFile& file, int rays_in_flight, const std::vector<CoreRayAnswer>& answers) const {
+    const std::vector<std::string> unit{fmt::format("{}", rays_in_flight)};
+    file.add(unit, list_, [&](std::size_t ray) {
+      const auto& [hit, failed, exact] = answers[ray];
+      sim::Answer answer{.given = !failed, .exact = sim::meeting_of_number(scene_, list_[ray], exact)};
+      if (!failed && hit.found()) answer.found = sim::meeting_at(scene_, list_[ray], hit.triangle, hit.t);
+      return answer;
+    });
+  }
+  [[nodiscard]] const ref::Scene& scene() const { return loaded_; }
   [[nodiscard]] Row mesh() const { return scene_row(scene_); }
 
  private:
@@ -179,12 +206,14 @@ std::filesystem::path picture_file(const TraceCommand& command, const std::strin
   return std::filesystem::path(command.out) / (std::filesystem::path(scene).stem().string() + ".png");
 }
 
-/// Does the runs of a piece. `picture` gets what their rays show, `scene` the name, `about` what is said of all.
-std::vector<CoreRun> run(const TraceCommand& command, host::Piece piece, std::vector<glm::vec3>& picture,
-                         std::string& scene, Row& about) {
+/// Does the runs of a piece. `picture` gets what their rays show, `scene` the name, `about` what is said of all. Writes the
+/// answers.
+std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, host::Piece piece,
+                         std::vector<glm::vec3>& picture, std::string& scene, Row& about) {
   std::optional<Progress> progress("reading the scene");
   Tracing tracing(command);
-  scene = tracing.name();
+  scene = tracing.scene().name;
+  AnswersFile file(command.rays.answers, {"rays_in_flight"});
   about = {{"hierarchy", command.hierarchy.text()},
            {"cache", command.memory.cache_kib > 0},
            {"mesh", tracing.mesh()}};
@@ -198,6 +227,7 @@ std::vector<CoreRun> run(const TraceCommand& command, host::Piece piece, std::ve
   const host::Piece::Range mine = piece.range(runs_of(command));
   const std::size_t cores = command.rays_in_flight.size();
   std::vector<CoreRun> runs;
+  std::vector<std::vector<CoreRayAnswer>> answers(cores);
   std::optional<std::uint64_t> part;
   sim::PictureRays rays;
   for (std::uint64_t i = mine.first; i < mine.end; ++i) {
@@ -210,8 +240,13 @@ std::vector<CoreRun> run(const TraceCommand& command, host::Piece piece, std::ve
       picture.resize(rays.image.size());
       for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) picture[pixel] += rays.image[pixel];
     }
-    runs.push_back({i % cores, tracing.trace(i % cores, rays, show)});
+    runs.push_back(
+        {i % cores, tracing.trace(i % cores, rays, show, file.wanted() ? &answers[i % cores] : nullptr)});
   }
+  if (file.wanted())
+    for (std::size_t core = 0; core < cores; ++core)
+      tracing.write(file, command.rays_in_flight[core], answers[core]);
+  file.finish(notes_of(parsed, tracing.scene()));
   return runs;
 }
 
@@ -225,18 +260,18 @@ int trace_scene(TraceCommand command, const CLI::App& parsed) {
   if (command.memory.least_latency > command.memory.most_latency)
     throw std::runtime_error(fmt::format("--latency {},{}: the first is the least", command.latency.front(),
                                          command.latency.back()));
-  if (command.rays.empty())
+  if (!command.rays.given())
     check_parts(command, ref::tile_count({.width = command.scene.width, .height = command.scene.height}),
                 "tiles");
   std::vector<glm::vec3> picture;
   std::string scene;
   Row about;
   const auto piece = [&](host::Piece mine) {
-    const std::vector<CoreRun> runs = run(command, mine, picture, scene, about);
+    const std::vector<CoreRun> runs = run(command, parsed, mine, picture, scene, about);
     return kept_runs(runs, about);
   };
   const auto all = [&] {
-    const std::vector<CoreRun> runs = run(command, {}, picture, scene, about);
+    const std::vector<CoreRun> runs = run(command, parsed, {}, picture, scene, about);
     const bool right = report(runs, about, command.format);
     // Software's picture, so it is the core's only if all answers are the same.
     if (right && !command.out.empty())
@@ -297,7 +332,7 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
   add_library_option(*command, options->library);
   command->add_flag("--native", options->native,
                     "The core as C++, which is the same in every cycle; else as Verilog");
-  add_ray_list_option(*command, options->rays);
+  add_ray_list_options(*command, options->rays);
   add_large_count_option(
       *command, "--parts", options->parts, 1, host::Piece::most,
       "Cut the rays into so many parts, at most one for each 32 x 32 pixels. A core begins each of them "
@@ -305,8 +340,9 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
   add_format_option(*command, options->format);
   add_pieces_options(*command, options->pieces, options->out, Output::folder,
                      "Folder for the picture that the answers make, SCENE.png; written when all are right");
+  exclude_answers_of_pieces(*command);
   command->callback([options, command, &exit_code] {
-    if (!options->rays.empty() && !options->out.empty() && !options->pieces.any())
+    if (options->rays.given() && !options->out.empty() && !options->pieces.any())
       throw CLI::ParseError("--rays excludes --out: the rays of a file make no picture",
                             CLI::ExitCodes::ExcludesError);
     exit_code = options->pieces.join.empty() ? trace_scene(*options, *command) : join(*options, *command);

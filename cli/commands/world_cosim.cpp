@@ -1,25 +1,27 @@
 #include "cli/commands/world_cosim.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "cli/text/answers_file.hpp"
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
-#include "host/parallel.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "sim/cosim/counts.hpp"
 #include "sim/cosim/world_tracer.hpp"
 #include "sim/operands/ray_list.hpp"
+#include "sim/operands/traced_list.hpp"
 #include "sw_ref/render/image_file.hpp"
 #include "sw_ref/render/render.hpp"
+#include "sw_ref/world/int_tracer.hpp"
 
 namespace hitpipe::cli {
 
@@ -30,7 +32,8 @@ namespace fs = std::filesystem;
 /// What was traced.
 struct WorldWork {
   ref::RenderCounts counts;
-  std::vector<glm::vec3> image;  ///< empty for a list of rays
+  std::vector<glm::vec3> image;          ///< empty for a list of rays
+  std::vector<std::uint32_t> triangles;  ///< by ray of a list
 };
 
 WorldWork draw(const WorldCosim& command, const ref::IntScene& scene, const ref::Tracer& tracer,
@@ -43,37 +46,19 @@ WorldWork draw(const WorldCosim& command, const ref::IntScene& scene, const ref:
                                           .light = command.light,
                                           .surfaces = &surfaces,
                                           .progress = [&](double share) { progress.show(share); }});
-  return {result.counts, std::move(result.image)};
+  return {result.counts, std::move(result.image), {}};
 }
 
-/// In parts, so that several threads have work.
 WorldWork trace(const WorldCosim& command, const std::vector<sim::AskedRay>& list, const ref::Tracer& tracer,
                 Progress& progress) {
-  constexpr std::size_t part = 1024;
-  WorldWork work;
-  for (const ref::Query query : {ref::Query::closest, ref::Query::any}) {
-    std::vector<ref::Ray> rays;
-    for (const sim::AskedRay& asked : list)
-      if (asked.query == query) rays.push_back(asked.ray);
-    std::vector<std::uint32_t> triangles(rays.size());
-    std::vector<ref::TraceCounts> counts((rays.size() + part - 1) / part);
-    const auto trace_part = [&](std::size_t i) {
-      const std::size_t size = std::min(part, rays.size() - i * part);
-      tracer.trace(
-          {std::span(rays).subspan(i * part, size), query, std::span(triangles).subspan(i * part, size)},
-          counts[i]);
-    };
-    host::for_each_index(counts.size(), command.scene.threads, trace_part,
-                         [&](double share) { progress.show(share); });
-    for (const ref::TraceCounts& each : counts)
-      work.counts.of(query == ref::Query::any ? ref::RayKind::shadow : ref::RayKind::primary) += each;
-  }
-  return work;
+  sim::TracedList traced =
+      sim::trace_list(tracer, list, command.scene.threads, [&](double share) { progress.show(share); });
+  return {traced.counts, {}, std::move(traced.triangles)};
 }
 
 }  // namespace
 
-int cosimulate_world(const WorldCosim& command) {
+int cosimulate_world(const WorldCosim& command, const CLI::App& parsed) {
   const rtl::Design& design = command.choice.design();
   const rtl::Format format = command.choice.format();
   const auto world = format.as<hls::WorldBits>();
@@ -87,7 +72,7 @@ int cosimulate_world(const WorldCosim& command) {
   const ref::Scene loaded = command.scene.load();
   const fs::path folder = command.out;
   const fs::path image = folder / (fs::path(loaded.name).stem().string() + ".png");
-  const bool draws = command.rays.empty();
+  const bool draws = !command.rays.given();
   if (!command.out.empty() && !draws)
     throw std::runtime_error("--out: a triangle unit's cosim writes a picture only, and --rays make none");
   if (!command.out.empty()) {
@@ -95,8 +80,9 @@ int cosimulate_world(const WorldCosim& command) {
     host::make_folder(folder);
   }
   std::vector<sim::AskedRay> rays;
-  if (!draws) rays = sim::read_ray_list(command.rays, loaded.to_cube);
+  if (!draws) rays = sim::read_ray_list(command.rays.file, loaded.to_cube);
   const ref::IntScene scene = command.scene.in_integers(loaded, world, command.hierarchy);
+  AnswersFile answers(command.rays.answers);
   progress.emplace("compiling the Verilog");
   const sim::VerilatedDesign box_unit(unit_of(boxes, box_bits));
   const sim::VerilatedDesign triangle_unit(unit_of(design, format));
@@ -105,6 +91,15 @@ int cosimulate_world(const WorldCosim& command) {
   progress.emplace("co-simulating");
   const WorldWork result =
       draws ? draw(command, scene, tracer, *progress) : trace(command, rays, tracer, *progress);
+  if (answers.wanted()) {
+    progress.emplace("tracing in software");
+    const auto exact = sim::trace_list(*ref::int_tracer(scene.mesh, scene.hierarchy(), {.world = world}),
+                                       rays, command.scene.threads);
+    answers.add({}, rays, [&](std::size_t ray) {
+      return sim::answer_of(scene, rays[ray], result.triangles[ray], exact.triangles[ray]);
+    });
+    answers.finish(notes_of(parsed, scene.scene));
+  }
   progress.reset();
 
   const sim::WorldCounts counts = tracer.counts();

@@ -3,6 +3,7 @@
 
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
+#include "cli/options/trace_options.hpp"
 #include "cli/options/world_options.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
@@ -22,12 +23,12 @@ struct WorldCosim {
   int interval;
   int rays_in_flight;
   ref::WhittedOptions light;
-  std::string rays;  ///< a file; empty: those of a picture
+  RayListChoice rays;
   std::string out;
   OutputFormat format;
 };
 
 /// Prints the record and returns the exit code.
-[[nodiscard]] int cosimulate_world(const WorldCosim& command);
+[[nodiscard]] int cosimulate_world(const WorldCosim& command, const CLI::App& parsed);
 
 }  // namespace hitpipe::cli

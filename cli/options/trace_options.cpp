@@ -59,9 +59,9 @@ void add_light_options(CLI::App& command, ref::WhittedOptions& options) {
                          "Seed of these directions; the same seed gives the same picture (0 to 2^64 - 1)");
 }
 
-void add_ray_list_option(CLI::App& command, std::string& file) {
+void add_ray_list_options(CLI::App& command, RayListChoice& choice) {
   CLI::Option* const rays =
-      as_input(command.add_option("--rays", file,
+      as_input(command.add_option("--rays", choice.file,
                                   "The rays of this file in place of a picture's: .bin or .rays, or CSV with "
                                   "the columns ox,oy,oz,dx,dy,dz[,length,any]"))
           ->type_name("FILE");
@@ -69,6 +69,15 @@ void add_ray_list_option(CLI::App& command, std::string& file) {
        {"--width", "--height", "--bounces", "--diffuse", "--occlusion", "--light-seed"})
     if (const CLI::Option* const option = command.get_option_no_throw(other))
       exclude(rays, option, "the rays of a file make no picture");
+  as_output(command.add_option("--answers", choice.answers,
+                               "CSV file for a line a ray: triangle, distance and weights of the corners, "
+                               "and the exact answer"))
+      ->needs(rays);
+}
+
+void exclude_answers_of_pieces(CLI::App& command) {
+  for (const char* const pieces : {"--pieces", "--piece", "--join"})
+    exclude(command.get_option("--answers"), command.get_option(pieces), "pieces keep counts only");
 }
 
 ref::TracerOptions TraceChoice::options() const {

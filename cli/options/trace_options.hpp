@@ -18,8 +18,18 @@ namespace hitpipe::cli {
 /// Adds --bounces, --diffuse, --occlusion, --light-seed.
 void add_light_options(CLI::App& command, ref::WhittedOptions& options);
 
-/// Adds --rays, a file in place of the picture's rays. The options of the picture and its light are excluded.
-void add_ray_list_option(CLI::App& command, std::string& file);
+struct RayListChoice {
+  std::string file;     ///< of the rays; empty: those of a picture
+  std::string answers;  ///< a file for them, text/answers_file.hpp; empty: none
+
+  [[nodiscard]] bool given() const { return !file.empty(); }
+};
+
+/// Adds --rays, a file in place of the picture's rays, and --answers. The options of the picture and its light
+/// are excluded.
+void add_ray_list_options(CLI::App& command, RayListChoice& choice);
+/// Of a command that has them and can be cut into pieces.
+void exclude_answers_of_pieces(CLI::App& command);
 
 enum class World : std::uint8_t { floats, integers };
 

@@ -85,6 +85,12 @@ Row notes_of(const CLI::App& command) {
   return {{"program", command.get_parent()->version()}, {"command", command_line(command)}};
 }
 
+Row notes_of(const CLI::App& command, const ref::Scene& scene) {
+  Row notes = notes_of(command);
+  notes.update(camera_notes(scene));
+  return notes;
+}
+
 Row camera_notes(const ref::Scene& scene) {
   const ref::Camera& camera = scene.camera;
   Row row{{"scene", scene.name},

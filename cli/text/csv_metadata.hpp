@@ -23,6 +23,8 @@ namespace hitpipe::cli {
 
 /// Of a command that ran: its program and its command line.
 [[nodiscard]] Row notes_of(const CLI::App& command);
+/// The same with camera_notes().
+[[nodiscard]] Row notes_of(const CLI::App& command, const ref::Scene& scene);
 
 /// What places the scene in the cube and the camera before it.
 [[nodiscard]] Row camera_notes(const ref::Scene& scene);

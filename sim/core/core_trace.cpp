@@ -21,10 +21,12 @@ CoreTrace& CoreTrace::operator+=(const CoreTrace& later) {
 
 CoreTrace trace_core(const rtl::Core& core, rtl::NativeMachine& machine, const ref::CoreImage& image,
                      const PictureRays& picture, const MemoryOptions& memory,
-                     const std::function<void(double)>& progress) {
+                     const std::function<void(double)>& progress,
+                     const std::function<void(std::span<const CoreAnswer>)>& answered) {
   CoreBench bench(core, machine, image, memory);
   std::vector<CoreAnswer> answers(picture.jobs.size());
   bench.run(picture.jobs, answers, progress);
+  if (answered) answered(answers);
   const CoreCounts& counts = bench.counts();
   return {.rays_in_flight = core.options.rays,
           .clock_ps = core.clock_ps,

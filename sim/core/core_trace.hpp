@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "sim/core/core_bench.hpp"
 #include "sim/core/picture_rays.hpp"
@@ -40,10 +41,12 @@ struct CoreTrace {
 /// Makes the numbers of blocks and the addresses of a core long enough for an image.
 void make_room(rtl::CoreOptions& options, const ref::CoreImage& image);
 
-/// `machine` has the core's ports, and `picture` has a ray. Throws as CoreBench does.
+/// `machine` has the core's ports, and `picture` has a ray. `answered` gets the core's answers, by job. Throws
+/// as CoreBench does.
 [[nodiscard]] CoreTrace trace_core(const rtl::Core& core, rtl::NativeMachine& machine,
                                    const ref::CoreImage& image, const PictureRays& picture,
                                    const MemoryOptions& memory,
-                                   const std::function<void(double)>& progress = {});
+                                   const std::function<void(double)>& progress = {},
+                                   const std::function<void(std::span<const CoreAnswer>)>& answered = {});
 
 }  // namespace hitpipe::sim

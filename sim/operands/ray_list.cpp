@@ -60,7 +60,8 @@ AskedRay placed(const OwnRay& own, const ref::Normalisation& to_cube, const Reje
   const double length = own.length * to_cube.scale;
   if (std::isfinite(own.length) && std::isinf(static_cast<float>(length)))
     reject(fmt::format("length {} is beyond binary32; for a ray without an end write inf", own.length));
-  return {ref::ray_in_cube(start, own.direction, length), own.any ? ref::Query::any : ref::Query::closest};
+  return {ref::ray_in_cube(start, own.direction, length), own.any ? ref::Query::any : ref::Query::closest,
+          ref::start_in_cube(start, own.direction)};
 }
 
 std::vector<AskedRay> read_csv(const std::string& file, const ref::Normalisation& to_cube) {

@@ -22,6 +22,7 @@ namespace hitpipe::sim {
 struct AskedRay {
   ref::Ray ray;
   ref::Query query = ref::Query::closest;
+  double outside = 0;  ///< the t before the ray starts in the cube, which its length has lost
 };
 
 /// The rays, moved into the cube; all are acceptable(). A ray that starts outside the cube starts where it

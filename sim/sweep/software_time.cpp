@@ -36,7 +36,9 @@ double milli(double time) {
 std::vector<ref::RecordedBatch> listed_batches(const ref::Scene& scene, const ref::Bvh& bvh,
                                                std::span<const AskedRay> rays) {
   std::vector<ref::RecordedBatch> batches;
-  for (const auto& [ray, query] : rays) {
+  for (const AskedRay& asked : rays) {
+    const ref::Ray& ray = asked.ray;
+    const ref::Query query = asked.query;
     if (batches.empty() || batches.back().query != query) {
       const bool any = query == ref::Query::any;
       batches.push_back({any ? ref::RayKind::shadow : ref::RayKind::primary, query, {}, {}});

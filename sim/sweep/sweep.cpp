@@ -181,6 +181,10 @@ class Run {
                                            .light = options_.light,
                                            .rays = options_.rays,
                                            .progress = progress});
+    if (options_.answered) {
+      const std::scoped_lock lock(writing_);
+      options_.answered(point, result.triangles);
+    }
     SweepRow row = priced_row(*point.design, point.format, *unit.price);
     static_cast<SweepSubject&>(row) = subject_;
     row.rays_in_flight = point.rays_in_flight;

@@ -2,6 +2,7 @@
 // is priced, and compared with the software traversal and its image.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -28,6 +29,8 @@ struct SweepOptions {
   const rtl::Library* library = &rtl::Library::thesis();  ///< units are scheduled and priced by it
   bool tests_only = false;                                ///< no set-up and no energy in the cost
   TriangleCost triangle{};                                ///< decides no count
+  /// Gets the triangles of CosimResult when a point is measured, from any thread, one at a time.
+  std::function<void(const SweepPoint&, std::span<const std::uint32_t> triangles)> answered{};
   /// Gets the finished share of the rows, 0..1, from any thread.
   std::function<void(double)> progress = [](double) {};
 };

@@ -58,25 +58,37 @@ struct ExactTime {
   WideInt denominator;
 };
 
+/// How a line passes a triangle.
+struct Passage {
+  WideVec a, b_cross_c;          ///< seen from the ray's origin
+  std::array<WideInt, 3> edges;  ///< on which side it passes the edge opposite each corner
+
+  Passage(const Mesh::Corners& corners, const Ray& ray) {
+    const WideVec origin = in_units(ray.origin);
+    const WideVec direction = in_units(ray.direction);
+    a = difference(in_units(corners.a), origin);
+    const WideVec b = difference(in_units(corners.b), origin);
+    const WideVec c = difference(in_units(corners.c), origin);
+    b_cross_c = cross(b, c);
+    edges = {dot(direction, b_cross_c), dot(direction, cross(c, a)), dot(direction, cross(a, b))};
+  }
+  /// b x c + c x a + a x b is the normal (b - a) x (c - a), so the sum is direction . normal.
+  [[nodiscard]] WideInt determinant() const { return edges[0] + edges[1] + edges[2]; }
+  /// a . normal
+  [[nodiscard]] WideInt height() const { return dot(a, b_cross_c); }
+};
+
 ExactTime exact_time(const Mesh::Corners& corners, const Ray& ray) {
-  const WideVec origin = in_units(ray.origin);
-  const WideVec direction = in_units(ray.direction);
-  const WideVec a = difference(in_units(corners.a), origin);
-  const WideVec b = difference(in_units(corners.b), origin);
-  const WideVec c = difference(in_units(corners.c), origin);
-  const WideVec b_cross_c = cross(b, c);
-  const WideInt edge_bc = dot(direction, b_cross_c);
-  const WideInt edge_ca = dot(direction, cross(c, a));
-  const WideInt edge_ab = dot(direction, cross(a, b));
+  const Passage passage(corners, ray);
+  const auto& [edge_bc, edge_ca, edge_ab] = passage.edges;
   const bool left = edge_bc >= 0 && edge_ca >= 0 && edge_ab >= 0;
   const bool right = edge_bc <= 0 && edge_ca <= 0 && edge_ab <= 0;
   if (!left && !right) {
     return {0, 0};
   }
-  // b x c + c x a + a x b is the normal (b - a) x (c - a), so the sum is direction . normal; it is 0 only if
-  // all are.
-  const WideInt determinant = edge_bc + edge_ca + edge_ab;
-  const WideInt height = dot(a, b_cross_c);  // a . normal
+  // The determinant is 0 only if all edges are.
+  const WideInt determinant = passage.determinant();
+  const WideInt height = passage.height();
   return right ? ExactTime{-height, -determinant} : ExactTime{height, determinant};
 }
 
@@ -143,6 +155,20 @@ bool has_area(const SourceMesh::Corners& corners) {
     if ((b[i] - a[i]) * (c[j] - a[j]) != (b[j] - a[j]) * (c[i] - a[i])) return true;
   }
   return false;
+}
+
+std::optional<PlanePoint> plane_point(const Mesh::Corners& corners, const Ray& ray) {
+  const Passage passage(corners, ray);
+  const WideInt determinant = passage.determinant();
+  if (determinant == 0) return std::nullopt;
+  const auto over_determinant = [&](const WideInt& x) {
+    const bool negative = (x < 0) != (determinant < 0);
+    const double size = enclose_quotient({abs(x), abs(determinant)}).low;
+    return negative && size > 0 ? -size : size;
+  };
+  PlanePoint point{.t = over_determinant(passage.height()), .weights = {}};
+  for (std::size_t i = 0; i < 3; ++i) point.weights[i] = over_determinant(passage.edges[i]);
+  return point;
 }
 
 float cull_length(const Hit& hit) {

@@ -7,9 +7,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -37,6 +39,15 @@ struct Hit {
 /// Tests one triangle against an acceptable ray and keeps the better hit in `best`. `best` must come from the
 /// same mesh and ray. True if `best` changed. Corners and ray are finite binary32 values.
 bool intersect_triangle(const Mesh& mesh, std::uint32_t triangle, const Ray& ray, Hit& best);
+
+/// Where the line of a ray meets the plane of a triangle, in exact arithmetic. Each number is then a
+/// neighbouring double, or itself. No weight is negative if the point lies in the triangle.
+struct PlanePoint {
+  double t;
+  std::array<double, 3> weights;  ///< of the corners
+};
+/// Nothing when the line is parallel to the plane.
+[[nodiscard]] std::optional<PlanePoint> plane_point(const Mesh::Corners& corners, const Ray& ray);
 
 /// A ray length for culling boxes: binary32, never below the exact t; infinite without a hit.
 [[nodiscard]] float cull_length(const Hit& hit);

@@ -44,6 +44,11 @@ Ray ray_in_cube(const glm::dvec3& start, const glm::vec3& direction, double leng
           static_cast<float>(length - inside.from)};
 }
 
+double start_in_cube(const glm::dvec3& start, const glm::vec3& direction) {
+  const Inside inside = inside_cube(start, glm::dvec3(direction));
+  return inside.from > inside.to ? 0.0 : inside.from;
+}
+
 std::optional<std::uint64_t> first_ray_outside(const Camera& camera, int width, int height) {
   if (camera.projection == Projection::perspective) return std::nullopt;  // its eye is in the cube
   for (int y = 0; y < height; ++y) {

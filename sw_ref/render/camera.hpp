@@ -19,6 +19,9 @@ namespace hitpipe::ref {
 /// either.
 [[nodiscard]] Ray ray_in_cube(const glm::dvec3& start, const glm::vec3& direction, double length);
 
+/// The t from `start` at which ray_in_cube() lets the ray start; 0 for a ray that never gets there.
+[[nodiscard]] double start_in_cube(const glm::dvec3& start, const glm::vec3& direction);
+
 /// Where the ray of a pixel begins on the image plane of an orthographic camera; it can be outside the cube.
 [[nodiscard]] inline glm::dvec3 start_of(const Camera& camera, int x, int y, int width, int height) {
   const double side = 2.0 * camera.half_height / height;

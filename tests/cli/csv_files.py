@@ -101,6 +101,10 @@ with tempfile.TemporaryDirectory() as name:
     check_notes(out / "operands.csv-metadata.json", ["operands.csv"])
     check("operands to standard output", run(f"operands int_slabs {boxes} --out -"))
 
+    run(f"sweep int_slabs --bits 12/12 --scene spheres --rays {out}/rays.csv --answers {out}/answers.csv --out {out}/listed.csv")
+    check("answers.csv", (out / "answers.csv").read_text())
+    check_notes(out / "answers.csv-metadata.json", ["answers.csv"])
+
     run(f"check --stiff int_slabs --bits 12/12 --tests 60 --scene spheres --rays 20 --out {out}/stiff")
     ratios = {row["log2_ratio"] for row in check("stiffness.csv", (out / "stiff/stiffness.csv").read_text())}
     if not all(float(ratio) >= 0 for ratio in ratios):

@@ -170,5 +170,14 @@ image = open("faces.img", "rb").read()
 numbers = {int.from_bytes(image[at + 27:at + 31], "little") for at in range(0, len(image), 32)}
 expect({1, 2, 3, 5, 6} == numbers - {0}, f"numbers of the image: {sorted(numbers)}")
 
+# Answers name them too.
+with open("down.csv", "w") as file:
+    file.write("ox,oy,oz,dx,dy,dz\n" + "".join(f"{x / 10},{y / 10},1,0,0,-1\n" for x in range(1, 10) for y in range(1, 13)))
+for world in ([], ["--world", "integer"]):
+    run("render", "--scene", "faces.obj", *view, *world, "--rays", "down.csv", "--answers", "answers.csv")
+    rows = [row for row in csv.DictReader(open("answers.csv")) if row["hit"] == "1"]
+    expect(len(rows) > 80, f"{len(rows)} hits")
+    expect({(int(row["number"]), int(row["face"])) for row in rows} == {(1, 1), (2, 1), (3, 1)}, "numbers and faces of answers")
+
 print(f"{wrong} wrong")
 sys.exit(wrong > 0)

@@ -42,10 +42,12 @@ std::string in_binary(const std::vector<AskedRay>& rays) {
 
 std::string in_csv(const std::vector<AskedRay>& rays) {
   std::string text = "ox,oy,oz,dx,dy,dz,length,any\n";
-  for (const auto& [ray, query] : rays)
+  for (const AskedRay& asked : rays) {
+    const ref::Ray& ray = asked.ray;
     text +=
         fmt::format("{},{},{},{},{},{},{},{}\n", ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x,
-                    ray.direction.y, ray.direction.z, ray.length, query == ref::Query::any ? 1 : 0);
+                    ray.direction.y, ray.direction.z, ray.length, asked.query == ref::Query::any ? 1 : 0);
+  }
   return text;
 }
 
@@ -125,6 +127,15 @@ TEST_F(RayList, RaysFromOutsideStartWhereTheyEnterTheCube) {
     EXPECT_EQ(misses.origin, corner) << missing;
     for (int axis = 0; axis < 3; ++axis) EXPECT_GE(misses.origin[axis] * misses.direction[axis], 0.0F);
   }
+}
+
+TEST_F(RayList, KnowsWhatLiesOutsideTheCube) {
+  const auto outside = [&](const std::string& cells) {
+    return read("r.csv", "ox,oy,oz,dx,dy,dz,length\n" + cells + "\n").at(0).outside;
+  };
+  EXPECT_EQ(outside("-5,0.5,0,2,0,0,inf"), 2.0);
+  EXPECT_EQ(outside("0.1,0.5,0,2,0,0,inf"), 0.0);
+  EXPECT_EQ(outside("5,0,0,1,0,0,inf"), 0.0);
 }
 
 TEST_F(RayList, WrongCsvGetsALine) {

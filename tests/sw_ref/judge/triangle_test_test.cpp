@@ -64,6 +64,45 @@ TEST(TriangleTest, MatchesRationalArithmetic) {
   EXPECT_LT(doubts_of_random, 3);
 }
 
+/// Within a unit of the last place.
+void expect_near_rational(double value, const Rational& rational) {
+  const Rational error = cases::exact(value) - rational;
+  ASSERT_LE(abs(error), abs(rational) * cases::exact(0x1p-52)) << value;
+}
+
+TEST(PlanePoint, MatchesRationalArithmetic) {
+  Random random(seed);
+  int negative = 0;
+  for (const cases::ShotCategory& category : cases::shot_categories) {
+    for (int i = 0; i < 500; ++i) {
+      const Shot s = category.make(random);
+      const std::array corner{cases::exact(s.corners.a), cases::exact(s.corners.b),
+                              cases::exact(s.corners.c)};
+      const auto normal =
+          cases::cross(cases::minus(corner[1], corner[0]), cases::minus(corner[2], corner[0]));
+      const cases::RationalVec origin = cases::exact(s.ray.origin);
+      const cases::RationalVec direction = cases::exact(s.ray.direction);
+      const Rational slope = cases::dot(normal, direction);
+      const auto point = plane_point(s.corners, s.ray);
+      ASSERT_EQ(point.has_value(), slope != 0) << category.name;
+      if (!point) continue;
+      const Rational t = cases::dot(normal, cases::minus(corner[0], origin)) / slope;
+      ASSERT_NO_FATAL_FAILURE(expect_near_rational(point->t, t)) << cases::describe(s);
+      const cases::RationalVec place{origin[0] + t * direction[0], origin[1] + t * direction[1],
+                                     origin[2] + t * direction[2]};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto opposite =
+            cases::cross(cases::minus(corner[(k + 1) % 3], place), cases::minus(corner[(k + 2) % 3], place));
+        const Rational weight = cases::dot(opposite, normal) / cases::dot(normal, normal);
+        ASSERT_NO_FATAL_FAILURE(expect_near_rational(point->weights[k], weight)) << cases::describe(s);
+        ASSERT_EQ(std::signbit(point->weights[k]), weight < 0);
+        negative += weight < 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(negative, 100);
+}
+
 constexpr Mesh::Corners right_angle{{0, 0, 0}, {0.5F, 0, 0}, {0, 0.5F, 0}};
 
 TEST(TriangleTest, BothFacesHit) {
