@@ -223,10 +223,10 @@ std::vector<sim::SweepRow> measure(const SweepCommand& command, const CutWork& w
   const std::filesystem::path out = command.out;
   sweep.notes = csv_metadata({csv_table(out, sim::to_csv({}))}, notes_beside(command, work, scene));
   sweep.notes_file = metadata_file(out);
-  const LastLine line(fmt::format(answers.wanted()
-                                      ? "{} keeps its rows; a command with --answers begins without it"
-                                      : "the same command goes on with the rows of {}",
-                                  file.string()));
+  const LastLine line(
+      answers.wanted()
+          ? fmt::format("{} keeps its rows; a command with --answers begins without it", file.string())
+          : fmt::format("the same command goes on with the rows of {}", file.string()));
   std::vector<sim::SweepRow> rows = sim::resume(sweep);
   if (answers.wanted()) {
     progress.emplace("tracing in software");
