@@ -1,17 +1,16 @@
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string_view>
-#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/sweep_answers.hpp"
 #include "cli/commands/world_sweep.hpp"
 #include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
@@ -21,7 +20,6 @@
 #include "cli/options/values.hpp"
 #include "cli/pieces/pieces.hpp"
 #include "cli/report/sweep_rows.hpp"
-#include "cli/text/answers_file.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/last_line.hpp"
 #include "cli/text/progress.hpp"
@@ -31,7 +29,6 @@
 #include "host/files.hpp"
 #include "host/text.hpp"
 #include "sim/cosim/ray_unit.hpp"
-#include "sim/operands/traced_list.hpp"
 #include "sim/software.hpp"
 #include "sim/sweep/resume.hpp"
 
@@ -226,35 +223,21 @@ std::vector<sim::SweepRow> measure(const SweepCommand& command, const CutWork& w
   const ref::Bvh bvh = ref::make_hierarchy(scene, command.hierarchy).bvh;
   sweep.scene = &scene;
   sweep.bvh = &bvh;
-  AnswersFile answers(command.rays.answers, {"design", "bits", "rays_in_flight", "ii"});
-  // Rows are measured in an order of their own.
-  std::map<sim::RowKey, std::pair<sim::SweepPoint, std::vector<std::uint32_t>>> found;
-  if (answers.wanted())
-    sweep.options.answered = [&](const sim::SweepPoint& point, std::span<const std::uint32_t> triangles) {
-      found.insert({sim::key_of(point), {point, {triangles.begin(), triangles.end()}}});
-    };
+  SweepAnswers answers(command.rays.answers, sweep.options);
   progress.emplace("sweeping");
   sweep.options.progress = [&](double share) { progress->show(share); };
   const std::filesystem::path out = command.out;
   notes = notes_beside(command, work, scene);
   sweep.notes = csv_metadata({csv_table(out, sim::to_csv({}))}, notes);
   sweep.notes_file = metadata_file(out);
-  const LastLine line(fmt::format("the same command goes on with the rows of {}", file.string()));
+  const LastLine line(
+      answers.wanted()
+          ? fmt::format("{} keeps its rows; a command with --answers begins without it", file.string())
+          : fmt::format("the same command goes on with the rows of {}", file.string()));
   std::vector<sim::SweepRow> rows = sim::resume(sweep);
   if (answers.wanted()) {
     progress.emplace("tracing in software");
-    const auto exact = sim::trace_list(*ref::make_tracer(scene.mesh, bvh, {}), list, command.scene.threads);
-    for (const auto& each : found) {
-      const auto& measured = each.second;
-      const sim::SweepPoint& point = measured.first;
-      const std::vector<std::string> unit{std::string(point.design->name), rtl::to_string(point.format),
-                                          fmt::format("{}", point.rays_in_flight),
-                                          fmt::format("{}", point.interval)};
-      answers.add(unit, list, [&](std::size_t ray) {
-        return sim::answer_of(scene, list[ray], measured.second[ray], exact.triangles[ray]);
-      });
-    }
-    answers.finish(notes);
+    answers.write(scene, bvh, sweep.options, notes);
   }
   return rows;
 }
