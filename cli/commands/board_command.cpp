@@ -18,6 +18,7 @@
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/board/top.hpp"
 #include "rtl_gen/component/library.hpp"
@@ -120,21 +121,22 @@ int stream(const BoardCommand& command) {
   const sim::BoardCounts counts = link.run(next);
   progress.reset();
 
-  fmt::print("{}", record_text({{"design", design.name},
-                                {"bits", rtl::to_string(format)},
-                                {"port", command.port},
-                                {"baud", baud},
-                                {"tests_from", of_scene ? command.scene.name : "vectors"},
-                                {"seed", command.seed},
-                                {"tests", counts.tests},
-                                {"hits", counts.hits},
-                                {"mismatches", counts.mismatches},
-                                {"sent_again", counts.resent},
-                                {"bytes_sent", counts.bytes_sent},
-                                {"bytes_received", counts.bytes_received},
-                                {"seconds", counts.seconds},
-                                {"tests_per_s", static_cast<double>(counts.tests) / counts.seconds}},
-                               command.format));
+  Row row{{"design", design.name},
+          {"bits", rtl::to_string(format)},
+          {"port", command.port},
+          {"baud", baud},
+          {"tests_from", of_scene ? command.scene.name : "vectors"}};
+  if (of_scene) row.update(scene_row(scene->scene));
+  row.update({{"seed", command.seed},
+              {"tests", counts.tests},
+              {"hits", counts.hits},
+              {"mismatches", counts.mismatches},
+              {"sent_again", counts.resent},
+              {"bytes_sent", counts.bytes_sent},
+              {"bytes_received", counts.bytes_received},
+              {"seconds", counts.seconds},
+              {"tests_per_s", static_cast<double>(counts.tests) / counts.seconds}});
+  fmt::print("{}", record_text(row, command.format));
   if (counts.mismatches == 0) return 0;
   print_wrong(design, format, *counts.first_wrong);
   return 1;

@@ -77,23 +77,23 @@ int trace_by_board(const BoardCore& choice) {
   const std::uint64_t wrong = picture.wrong(answers);
   const auto hits = std::count_if(answers.begin(), answers.end(),
                                   [](const sim::CoreAnswer& answer) { return answer.hit.found(); });
-  fmt::print("{}", record_text({{"core", core_name},
-                                {"bits", text_of(core)},
-                                {"port", choice.port},
-                                {"baud", baud},
-                                {"scene", choice.scene.name},
-                                {"mesh", summary_of(scene_row(scene))},
-                                {"blocks", image.blocks.size()},
-                                {"image_seconds", written.seconds},
-                                {"rays", traced.answered},
-                                {"hits", hits},
-                                {"wrong", wrong},
-                                {"sent_again", written.resent + traced.resent},
-                                {"bytes_sent", written.bytes_sent + traced.bytes_sent},
-                                {"bytes_received", written.bytes_received + traced.bytes_received},
-                                {"seconds", traced.seconds},
-                                {"rays_per_s", static_cast<double>(traced.answered) / traced.seconds}},
-                               choice.format));
+  Row row{{"core", core_name},
+          {"bits", text_of(core)},
+          {"port", choice.port},
+          {"baud", baud},
+          {"scene", choice.scene.name}};
+  row.update(scene_row(scene));
+  row.update({{"blocks", image.blocks.size()},
+              {"image_seconds", written.seconds},
+              {"rays", traced.answered},
+              {"hits", hits},
+              {"wrong", wrong},
+              {"sent_again", written.resent + traced.resent},
+              {"bytes_sent", written.bytes_sent + traced.bytes_sent},
+              {"bytes_received", written.bytes_received + traced.bytes_received},
+              {"seconds", traced.seconds},
+              {"rays_per_s", static_cast<double>(traced.answered) / traced.seconds}});
+  fmt::print("{}", record_text(row, choice.format));
   if (wrong > 0) {
     fmt::print(stderr, "hitpipe: {} of {} answers are not those of software\n", wrong, answers.size());
     return 1;

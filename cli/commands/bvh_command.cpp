@@ -190,6 +190,8 @@ void print_sweep(const BvhCommand& command, const ref::Scene& scene) {
     fmt::print("{}: {}, {}\n", scene.name, summary_of(scene_row(scene)),
                ref::builder_name(command.hierarchy.build.builder));
   }
+  if (command.format == OutputFormat::json)
+    for (Row& row : rows) row.update(scene_row(scene));
   fmt::print("{}", table_text(rows, command.format));
 }
 

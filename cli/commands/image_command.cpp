@@ -117,7 +117,9 @@ void write_image(ImageCommand command) {
     return;
   }
   if (command.format == OutputFormat::text) fmt::print("{}\n", record_text(row, command.format));
-  const std::vector<Row> reads = reads_of(command, scene, image);
+  std::vector<Row> reads = reads_of(command, scene, image);
+  if (command.format == OutputFormat::json)
+    for (Row& each : reads) each.update(scene_row(scene));
   if (command.format != OutputFormat::text || command.caches.kib.empty()) {
     fmt::print("{}", table_text(reads, command.format));
     return;

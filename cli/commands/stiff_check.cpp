@@ -9,6 +9,7 @@
 
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "host/files.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/scene/scene.hpp"
@@ -169,7 +170,7 @@ std::uint64_t stiff_formats(const std::vector<MeasuredDesign>& designs) {
 StiffFindings check_stiff_rays(const StiffCheck& command, std::vector<MeasuredDesign> designs,
                                host::Piece piece) {
   keep(designs, piece.range(stiff_formats(designs)));
-  StiffFindings findings{.scene = {}, .hierarchy = {}, .designs = std::move(designs)};
+  StiffFindings findings{.scene = {}, .hierarchy = {}, .mesh = Row::object(), .designs = std::move(designs)};
   std::optional<CountedScene> loaded;
   if (!command.scene.name.empty()) {
     const Progress progress("reading the scene");
@@ -177,6 +178,7 @@ StiffFindings check_stiff_rays(const StiffCheck& command, std::vector<MeasuredDe
     loaded->bvh = ref::make_hierarchy(loaded->scene, command.hierarchy).bvh;
     findings.scene = loaded->scene.name;
     findings.hierarchy = command.hierarchy.text();
+    findings.mesh = scene_row(loaded->scene);
   }
   measure(command, loaded ? &*loaded : nullptr, findings.designs);
   return findings;
@@ -189,12 +191,16 @@ Row to_row(const StiffFindings& findings) {
     for (const Measured& measured : design.formats) formats.push_back(to_row(measured));
     designs.push_back({{"design", design.design->name}, {"formats", formats}});
   }
-  return {{"scene", findings.scene}, {"hierarchy", findings.hierarchy}, {"designs", designs}};
+  return {{"scene", findings.scene},
+          {"hierarchy", findings.hierarchy},
+          {"mesh", findings.mesh},
+          {"designs", designs}};
 }
 
 StiffFindings parse_stiff_findings(const Row& row) {
   StiffFindings findings{.scene = row.at("scene").get<std::string>(),
                          .hierarchy = row.at("hierarchy").get<std::string>(),
+                         .mesh = row.at("mesh"),
                          .designs = {}};
   for (const Row& each : row.at("designs")) {
     const rtl::Design& design = rtl::find_design(each.at("design").get<std::string>());
@@ -206,12 +212,14 @@ StiffFindings parse_stiff_findings(const Row& row) {
 
 int report_findings(const StiffFindings& findings, const StiffReport& report) {
   const std::vector<MeasuredDesign>& designs = findings.designs;
-  const std::vector<Row> rows = stiffness_rows(designs, findings.scene);
+  std::vector<Row> rows = stiffness_rows(designs, findings.scene);
   if (!report.out.empty()) write(findings, rows, report);
+  if (report.format == OutputFormat::json)
+    for (Row& row : rows) row.update(findings.mesh);
   fmt::print("{}", report.format == OutputFormat::text ? stiffness_text(designs, findings.scene)
                                                        : table_text(rows, report.format));
   if (report.format == OutputFormat::text && !findings.hierarchy.empty())
-    fmt::print("hierarchy: {}\n", findings.hierarchy);
+    fmt::print("hierarchy: {}\nscene: {}\n", findings.hierarchy, summary_of(findings.mesh));
   const std::uint64_t wrong = wrong_answers(designs);
   if (wrong == 0) return 0;
   fmt::print(stderr,

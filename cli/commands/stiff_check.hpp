@@ -28,6 +28,7 @@ struct StiffCheck {
 struct StiffFindings {
   std::string scene;      ///< its name; empty: none was traversed
   std::string hierarchy;  ///< as a reader expects it
+  Row mesh;               ///< as scene_row() says it; empty: no scene
   std::vector<MeasuredDesign> designs;
 
   /// Of the same check, with the formats that follow.

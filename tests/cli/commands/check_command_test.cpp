@@ -176,7 +176,9 @@ TEST(CheckReplay, CasesThatCannotBeUsedRejected) {
 
 /// The page for the user names what the program has.
 TEST(CheckPage, ListsEveryCategory) {
-  const std::string page = contents_of(std::filesystem::path(HITPIPE_SOURCE) / "docs" / "check.md");
+  std::string page = contents_of(std::filesystem::path(HITPIPE_SOURCE) / "docs" / "check.md");
+  page.erase(0, page.find("\n## Categories\n"));
+  page.erase(page.find("\n## ", 1));
   for (const auto& category : ref::adversary::categories())
     EXPECT_THAT(page, HasSubstr("\n| `" + std::string(category.name) + "` | ")) << category.name;
   std::size_t rows = 0;
