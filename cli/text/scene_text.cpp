@@ -53,8 +53,8 @@ Row scene_row(const ref::IntScene& scene) {
 
 std::string summary_of(const Row& scene) {
   const auto count = [&](const char* key) { return scene.at(key).get<std::uint64_t>(); };
-  return fmt::format("{} triangles ({} without area, {} lost), {:.3g} % of the cube",
-                     count("triangles"), count("degenerate_dropped"), count("lost_to_rounding"),
+  return fmt::format("{} triangles ({} without area, {} lost), {:.3g} % of the cube", count("triangles"),
+                     count("degenerate_dropped"), count("lost_to_rounding"),
                      scene.at("mesh_share_of_cube_pct").get<double>());
 }
 
@@ -68,9 +68,9 @@ std::string lost_text(const ref::Scene& scene, const ref::IntScene& integers) {
   if (lost.triangles == 0) return "";
   constexpr int most = hls::WorldBits::max_coord;
   const int bits = integers.bits.coord;
-  const std::string more =
-      bits == most ? ""
-                   : fmt::format("with --bits of {} it would be {}; ", most, ref::lost_on_grid(scene.mesh, most));
+  const std::string more = bits == most ? ""
+                                        : fmt::format("with --bits of {} it would be {}; ", most,
+                                                      ref::lost_on_grid(scene.mesh, most));
   return text_of(scene, lost, 1.0 / scene.to_cube.scale, fmt::format("at {} bits", bits), more);
 }
 
