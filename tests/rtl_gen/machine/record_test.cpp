@@ -83,11 +83,11 @@ struct Largest {
 using Registers = Values<Native, Fixed<CoreBits{}>, Largest<Variant::usual>::State>;
 using NextCount = decltype(std::declval<Next<Registers, NoLog>>()[count]);
 template <class X>
-concept CanBeRead = requires(X x, ap_uint<4> y) {
-  y = x;
+concept CanBeRead = requires(X value, ap_uint<4> other) {
+  other = value;
 }
-|| requires(X x) {
-  x + x;
+|| requires(X value) {
+  value + value;
 };
 static_assert(CanBeRead<ap_uint<4>> && !CanBeRead<NextCount>, "the next state can be read");
 static_assert(!std::is_assignable_v<NextCount, NextCount>, "the next state can be read");
