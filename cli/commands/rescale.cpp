@@ -107,10 +107,10 @@ int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const Design
   if (judged) unit = sim::make_unit(design->design(), design->format(), rtl::Library::thesis());
 
   std::optional<Progress> progress("reading the scene");
-  // What is lost is said before the long run. Then the mesh is as a file of floats has it, as each moved one is.
-  static_cast<void>(chosen.load());
-  const ref::SceneDescription scene =
-      sim::moved(ref::describe_scene(chosen.name, chosen.placing), {}).description;
+  const ref::SceneDescription read = ref::describe_scene(chosen.name, chosen.placing);
+  static_cast<void>(chosen.placed(read));  // says what is lost before the long run
+  // As a file of floats has it, and as each moved one is.
+  const ref::SceneDescription scene = sim::moved(read, {}).description;
   const std::vector<NamedTransform> all = transforms(choice, scene);
   std::optional<sim::VerilatedDesign> verilated;
   if (judged) {

@@ -15,8 +15,8 @@ namespace hitpipe::cli {
 
 class SweepAnswers {
  public:
-  /// Nothing is kept or written if the file has no name. Otherwise the sweep gives its triangles to this, which
-  /// must outlive it.
+  /// Does nothing if the file has no name. Otherwise the sweep tells it the triangles that each unit found, so it
+  /// must outlive the sweep.
   SweepAnswers(const std::string& file, sim::SweepOptions& options);
 
   [[nodiscard]] bool wanted() const { return file_.wanted(); }

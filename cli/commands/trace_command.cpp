@@ -148,7 +148,7 @@ class Tracing {
     return sim::trace_core(cores_[core], *machines_[core], image_, rays, command_.memory, progress, keep);
   }
 
-  /// The core's T stands in the file, so that a wrong one is seen.
+  /// Writes the T that the core gave, so that a wrong T shows.
   void write(AnswersFile& file, int rays_in_flight, const std::vector<CoreRayAnswer>& answers) const {
     const std::vector<std::string> unit{fmt::format("{}", rays_in_flight)};
     file.add(unit, list_, [&](std::size_t ray) {
@@ -206,8 +206,8 @@ std::filesystem::path picture_file(const TraceCommand& command, const std::strin
   return std::filesystem::path(command.out) / (std::filesystem::path(scene).stem().string() + ".png");
 }
 
-/// Does the runs of a piece. `picture` gets what their rays show, `scene` the name, `about` what is said of all. Writes the
-/// answers.
+/// Does the runs of a piece, and writes the answers. `picture` gets what their rays show, `scene` the name,
+/// `about` what is said of all.
 std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, host::Piece piece,
                          std::vector<glm::vec3>& picture, std::string& scene, Row& about) {
   std::optional<Progress> progress("reading the scene");

@@ -73,7 +73,11 @@ void say_lost(const std::string& text, bool strict) {
 }  // namespace
 
 ref::Scene SceneChoice::load() const {
-  ref::Scene scene = ref::load_scene(name, placing);
+  return placed(ref::describe_scene(name, placing));
+}
+
+ref::Scene SceneChoice::placed(ref::SceneDescription description) const {
+  ref::Scene scene = ref::place(std::move(description));
   if (scene.to_cube.chosen)
     if (const auto outside = ref::first_ray_outside(scene.camera, width, height))
       throw std::runtime_error(fmt::format(
@@ -96,15 +100,13 @@ void add_cube_options(CLI::App& command, SceneChoice& choice) {
       .add_option_function<std::string>(
           "--cube", [&choice](const std::string& text) { choice.placing.cube = parse_cube(text); },
           "The cube in which coordinates are rounded: its middle and half its side, in the scene's own "
-          "units. It "
-          "must hold the mesh and every origin of a ray. Default: the smallest that holds mesh, eye and "
-          "lights")
+          "units. It must hold the mesh and every origin of a ray. Default: the smallest that holds mesh, "
+          "eye and lights")
       ->type_name("X,Y,Z,HALF");
   command.add_flag("--strict", choice.strict, "Triangles that lose their area by rounding are an error");
-  as_output(
-      command.add_option("--faces", choice.faces,
-                         "Write the number of each triangle and the face of the mesh file that it is part "
-                         "of, as CSV"));
+  as_output(command.add_option("--faces", choice.faces,
+                               "Write the number of each triangle, and the face of the mesh file that it is "
+                               "part of, as CSV"));
 }
 
 void add_scene_options(CLI::App& command, SceneChoice& choice) {

@@ -26,6 +26,8 @@ struct SceneChoice {
   /// ref::load_scene() throws; and std::runtime_error, one line, for lost triangles if that is strict, and for a
   /// ray of the picture that begins outside a chosen cube.
   [[nodiscard]] ref::Scene load() const;
+  /// The same of a scene that has been read.
+  [[nodiscard]] ref::Scene placed(ref::SceneDescription description) const;
   /// The same scene in the integer world. Says what it loses there, and throws, likewise.
   [[nodiscard]] ref::IntScene in_integers(const ref::Scene& scene, const hls::WorldBits& bits,
                                           const ref::HierarchyOptions& hierarchy) const;

@@ -23,8 +23,7 @@ class AnswersFile {
   explicit AnswersFile(const std::string& file, std::vector<std::string> unit_columns = {});
 
   [[nodiscard]] bool wanted() const { return pending_ != nullptr; }
-  /// Adds a line for each ray, in order. `unit` has a cell for each unit column. Does nothing if the file is
-  /// not wanted.
+  /// Adds a line for each ray, in order, if the file is wanted. `unit` has a cell for each unit column.
   void add(std::span<const std::string> unit, std::span<const sim::AskedRay> rays,
            const std::function<sim::Answer(std::size_t ray)>& answer);
   /// The file and its metadata take their places.

@@ -18,14 +18,14 @@
 
 namespace hitpipe::hls {
 
-/// A format whose numbers are known when the code is compiled: Fixed<DoorBits{20, 5}>.
+/// A format that the compiler knows, for example Fixed<DoorBits{20, 5}>.
 template <auto B>
 struct Fixed {
   static constexpr auto bits = B;
   constexpr operator std::remove_const_t<decltype(B)>() const { return B; }
 };
 
-/// A number by the format: an int, or a Width where the format is Fixed.
+/// A number that may depend on the format. It is an int, or a Width if the format is Fixed.
 template <auto N, class Bits>
 constexpr int number_in(const Bits& bits) {
   if constexpr (std::is_integral_v<decltype(N)>)

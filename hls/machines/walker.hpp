@@ -43,7 +43,7 @@ constexpr Data<"leaf_ray", &WalkBits::ray> leaf_ray;
 constexpr Data<"cut", &WalkBits::distance> cut;  // the ray's length now, as a box distance
 constexpr Data<"stops"> stops;                   // nothing else is wanted of this ray
 constexpr Data<"lost"> lost;                     // with `stops`: it wanted a block that is not in the image
-// Records that a walk may test; constant while rays are in flight.
+// The most records that a walk may test. It must not change while rays are in flight.
 constexpr Data<"most_steps", step_count_bits> most_steps;
 
 constexpr Data<"takes"> takes;            // a new ray may begin in this cycle

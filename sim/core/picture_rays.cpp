@@ -55,8 +55,8 @@ bool has_its_weights(const CoreJob& job, const CoreAnswer& answer, const ref::In
 std::uint64_t PictureRays::wrong(std::span<const CoreAnswer> answers) const {
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
-    const bool same = jobs[i].any ? answers[i].hit.found() == (triangles[i] != ref::IntHit::none)
-                                  : answers[i].hit.triangle == triangles[i];
+    const ref::Query query = jobs[i].any ? ref::Query::any : ref::Query::closest;
+    const bool same = ref::same_answer(query, answers[i].hit.triangle, triangles[i]);
     if (!same || answers[i].failed || !has_its_weights(jobs[i], answers[i], scene)) ++count;
   }
   return count;

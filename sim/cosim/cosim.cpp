@@ -109,9 +109,7 @@ class Part {
     for (const Traced& t : traced_) {
       const ref::Hit hit =
           ref::trace<ref::ConservativeSlabs>(frame_.bvh, frame_.scene.mesh, t.ray, t.query, counts.reference);
-      const bool same = t.query == ref::Query::any ? hit.found() == (t.triangle != ref::Hit::none)
-                                                   : hit.triangle == t.triangle;
-      counts.different_triangles += same ? 0 : 1;
+      counts.different_triangles += ref::same_answer(t.query, t.triangle, hit.triangle) ? 0 : 1;
     }
   }
 

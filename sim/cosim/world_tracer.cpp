@@ -327,10 +327,7 @@ void WorldTracer::trace(const ref::TraceJob& job, ref::TraceCounts& counts) cons
     own->run(job, counts);
   }
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    const bool same = job.query == ref::Query::any
-                          ? (job.triangles[i] == ref::IntHit::none) == (exact[i] == ref::IntHit::none)
-                          : job.triangles[i] == exact[i];
-    made.different += same ? 0 : 1;
+    made.different += ref::same_answer(job.query, job.triangles[i], exact[i]) ? 0 : 1;
   }
   const std::scoped_lock lock(shared_->counting);
   shared_->counts += made;

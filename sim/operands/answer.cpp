@@ -60,14 +60,11 @@ std::optional<Meeting> meeting(const ref::IntScene& scene, const AskedRay& asked
 
 std::optional<Meeting> meeting_of_number(const ref::IntScene& scene, const AskedRay& asked,
                                          std::uint32_t number) {
-  if (number == ref::IntHit::none) return std::nullopt;
   return meeting(scene, asked, ref::TriangleNumbers(scene.mesh.mesh).in_mesh(number));
 }
 
 Meeting meeting_at(const ref::IntScene& scene, const AskedRay& asked, std::uint32_t number, std::int64_t t) {
-  const ref::TriangleNumbers numbers(scene.mesh.mesh);
-  const bool is_there = number < numbers.in_source() && numbers.in_mesh(number) != ref::TriangleNumbers::none;
-  Meeting made = is_there ? meeting_of_number(scene, asked, number).value() : Meeting{.number = number};
+  Meeting made = meeting_of_number(scene, asked, number).value_or(Meeting{.number = number});
   made.t = t;
   made.distance = distance_of(t, asked, scene);
   return made;

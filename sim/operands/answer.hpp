@@ -20,12 +20,12 @@ struct Meeting {
   std::optional<std::array<double, 3>> weights{};  ///< of the corners
 };
 
-/// Nothing where `triangle`, a number of the scene's mesh, is ref::Hit::none.
+/// Nothing where `triangle`, a place in the scene's mesh, is ref::Hit::none.
 [[nodiscard]] std::optional<Meeting> meeting(const ref::Scene& scene, const AskedRay& asked,
                                              std::uint32_t triangle);
 [[nodiscard]] std::optional<Meeting> meeting(const ref::IntScene& scene, const AskedRay& asked,
                                              std::uint32_t triangle);
-/// The same for a triangle by its number in the file. The scene must have it.
+/// The same for a triangle by its number in the file; nothing if the scene does not have it.
 [[nodiscard]] std::optional<Meeting> meeting_of_number(const ref::IntScene& scene, const AskedRay& asked,
                                                        std::uint32_t number);
 /// What hardware gave: any number, and a T.

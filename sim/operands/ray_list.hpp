@@ -26,10 +26,11 @@ struct AskedRay {
 };
 
 /// The rays, moved into the cube; all are acceptable(). A ray that starts outside the cube starts where it
-/// enters it, as ref::ray_in_cube() says; in a cube that somebody chose it is refused. Throws std::runtime_error, one line that names the file and the
-/// line or the ray, for a file that cannot be read, has another form, or holds no ray; and for a ray with a
-/// number that is not finite, apart from an infinite length, with the direction 0, with a negative length, or
-/// whose origin lies more than 2^20 from the middle of the cube.
+/// enters it, as ref::ray_in_cube() says; in a cube that somebody chose it is refused. Throws
+/// std::runtime_error, one line that names the file and the line or the ray, for a file that cannot be read,
+/// has another form, or holds no ray; and for a ray with a number that is not finite, apart from an infinite
+/// length, with the direction 0, with a negative length, or whose origin lies more than 2^20 from the middle
+/// of the cube.
 [[nodiscard]] std::vector<AskedRay> read_ray_list(const std::string& file, const ref::Normalisation& to_cube);
 
 }  // namespace hitpipe::sim

@@ -41,10 +41,7 @@ std::uint64_t different_answers(std::span<const AskedRay> rays, std::span<const 
                                 std::span<const std::uint32_t> exact) {
   std::uint64_t different = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const bool same = rays[i].query == ref::Query::any
-                          ? (triangles[i] == ref::Hit::none) == (exact[i] == ref::Hit::none)
-                          : triangles[i] == exact[i];
-    different += same ? 0 : 1;
+    different += ref::same_answer(rays[i].query, triangles[i], exact[i]) ? 0 : 1;
   }
   return different;
 }

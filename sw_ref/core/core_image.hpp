@@ -53,8 +53,9 @@ struct CoreImage {
   [[nodiscard]] std::uint64_t bytes() const { return blocks.size() * core_block_bytes; }
 };
 
-/// Triangles have their numbers in the source of the mesh (TriangleNumbers). A leaf with more triangles than a record can count is split into
-/// halves. Throws std::runtime_error, one line, when the hierarchy has more levels than the core's trail.
+/// Triangles have their numbers in the source of the mesh (TriangleNumbers). A leaf with more triangles than a
+/// record can count is split into halves. Throws std::runtime_error, one line, when the hierarchy has more
+/// levels than the core's trail.
 [[nodiscard]] CoreImage core_image(const IntScene& scene);
 
 /// Reads an image again from its blocks and counts what is in it. Throws std::runtime_error, one line that

@@ -23,7 +23,8 @@ struct CoreTracerOptions {
 
 class CoreTracer final : public Tracer {
  public:
-  /// `image` is of `mesh`, an IntMesh's, whose triangles the answers name; both must outlive it. Throws std::invalid_argument, one line, for formats that do not go together.
+  /// `image` is of `mesh`, an IntMesh's, whose triangles the answers name; both must outlive it. Throws
+  /// std::invalid_argument, one line, for formats that do not go together.
   CoreTracer(const CoreImage& image, const Mesh& mesh, const CoreTracerOptions& options);
 
   void trace(const TraceJob& job, TraceCounts& counts) const override;

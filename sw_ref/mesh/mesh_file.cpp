@@ -92,22 +92,21 @@ std::vector<glm::dvec3> checked(std::vector<glm::dvec3> positions) {
   return positions;
 }
 
-/// The file's groups as runs of triangles of the mesh, which lacks the dropped ones.
-std::vector<MeshGroup> groups_of(FileMesh& file, const std::vector<std::uint32_t>& first,
-                                 const TriangleNumbers& numbers) {
-  std::vector<MeshGroup> groups;
-  for (std::size_t i = 0; i < file.groups.size(); ++i) {
-    FileMesh::Group& group = file.groups[i];
-    const std::uint32_t begin = numbers.kept_below(first[i]);
-    groups.push_back({std::move(group.name), std::move(group.material), group.surface, begin,
-                      numbers.kept_below(first[i + 1]) - begin});
+/// The file's groups as runs of triangles of the mesh.
+std::vector<MeshGroup> groups_of(std::vector<FileMesh::Group> groups, const SourceMesh& mesh) {
+  const TriangleNumbers numbers(mesh);
+  std::vector<MeshGroup> made;
+  for (FileMesh::Group& group : groups) {
+    const std::uint32_t begin = numbers.kept_below(numbers.first_of(group.first_face));
+    if (!made.empty()) made.back().count = begin - made.back().first;
+    made.push_back({std::move(group.name), std::move(group.material), group.surface, begin});
   }
-  return groups;
+  made.back().count = static_cast<std::uint32_t>(mesh.triangles.size()) - made.back().first;
+  return made;
 }
 
 SourceMesh mesh_of(FileMesh file, std::vector<MeshGroup>& groups) {
   if (file.groups.empty()) file.groups.push_back({});
-  const std::vector<std::uint32_t> first = first_triangles(file);
   SourceMesh mesh;
   mesh.faces = first_numbers(file);
   mesh.triangles = triangles_of(file);
@@ -115,7 +114,7 @@ SourceMesh mesh_of(FileMesh file, std::vector<MeshGroup>& groups) {
   if (mesh.triangles.empty()) reject("has no triangle; at least one is needed");
   drop(mesh, flat_triangles(mesh));
   mesh.without_area = static_cast<std::uint32_t>(mesh.dropped.size());
-  groups = groups_of(file, first, TriangleNumbers(mesh));
+  groups = groups_of(std::move(file.groups), mesh);
   if (mesh.triangles.empty())
     reject(fmt::format("has only triangles without area ({}); at least one with area is needed",
                        mesh.dropped.size()));

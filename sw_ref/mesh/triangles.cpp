@@ -71,18 +71,4 @@ std::vector<std::uint32_t> first_numbers(const FileMesh& mesh) {
   return first;
 }
 
-std::vector<std::uint32_t> first_triangles(const FileMesh& mesh) {
-  std::vector<std::uint32_t> first;
-  std::uint32_t count = 0;
-  std::size_t face = 0;
-  const auto count_up_to = [&](std::size_t end) {
-    if (mesh.sizes.empty()) count = static_cast<std::uint32_t>(end);
-    for (; !mesh.sizes.empty() && face < end; ++face) count += triangles_in(mesh.sizes[face]);
-    first.push_back(count);
-  };
-  for (const FileMesh::Group& group : mesh.groups) count_up_to(group.first_face);
-  count_up_to(mesh.faces());
-  return first;
-}
-
 }  // namespace hitpipe::ref

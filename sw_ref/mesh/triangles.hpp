@@ -18,7 +18,4 @@ namespace hitpipe::ref {
 /// Of each face: the number of triangles before it. Empty where all faces are triangles.
 [[nodiscard]] std::vector<std::uint32_t> first_numbers(const FileMesh& mesh);
 
-/// Of each group, and at the end of all: the number of triangles before it.
-[[nodiscard]] std::vector<std::uint32_t> first_triangles(const FileMesh& mesh);
-
 }  // namespace hitpipe::ref

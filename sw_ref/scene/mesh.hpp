@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -38,7 +39,16 @@ using Mesh = MeshOf<glm::vec3>;
 /// In the units of its file or scene, not rounded.
 using SourceMesh = MeshOf<glm::dvec3>;
 
-/// A mesh whose corners are binary32, for example a built-in one, as a source.
-[[nodiscard]] SourceMesh as_source(Mesh mesh);
+/// The mesh with other vertices in the same order.
+template <class To, class From>
+[[nodiscard]] MeshOf<To> with_vertices(MeshOf<From> mesh, std::vector<To> vertices) {
+  return {.vertices = std::move(vertices),
+          .normals = std::move(mesh.normals),
+          .triangles = std::move(mesh.triangles),
+          .materials = std::move(mesh.materials),
+          .dropped = std::move(mesh.dropped),
+          .without_area = mesh.without_area,
+          .faces = std::move(mesh.faces)};
+}
 
 }  // namespace hitpipe::ref

@@ -83,17 +83,12 @@ Mesh normalise(SourceMesh mesh, const Normalisation& normalisation, Losses& lost
                            ? normalised(mesh.vertices[v], normalisation)
                            : glm::clamp(glm::vec3(normalisation.to_cube(mesh.vertices[v])), -bound, bound));
   }
-  Mesh placed{.vertices = std::move(vertices),
-              .normals = std::move(mesh.normals),
-              .triangles = std::move(mesh.triangles),
-              .materials = std::move(mesh.materials),
-              .dropped = std::move(mesh.dropped),
-              .without_area = mesh.without_area,
-              .faces = std::move(mesh.faces)};
+  const std::vector<glm::dvec3> own = std::exchange(mesh.vertices, {});
+  Mesh placed = with_vertices(std::move(mesh), std::move(vertices));
   const std::vector<std::uint32_t> flat = flat_triangles(placed);
   for (const std::uint32_t triangle : flat) {
     const glm::uvec3& t = placed.triangles[triangle];
-    lost.add(thickness({mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]}));
+    lost.add(thickness({own[t.x], own[t.y], own[t.z]}));
   }
   drop(placed, flat);
   if (placed.triangles.empty())

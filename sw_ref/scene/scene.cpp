@@ -202,8 +202,9 @@ SceneDescription describe(const std::string& name_or_path, std::optional<std::si
 }  // namespace
 
 SceneDescription as_source(BuiltInDescription made) {
+  std::vector<glm::dvec3> vertices(made.mesh.vertices.begin(), made.mesh.vertices.end());
   return {.name = std::move(made.name),
-          .mesh = as_source(std::move(made.mesh)),
+          .mesh = with_vertices(std::move(made.mesh), std::move(vertices)),
           .materials = std::move(made.materials),
           .eye = made.eye,
           .target = made.target,

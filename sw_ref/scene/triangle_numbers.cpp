@@ -77,6 +77,11 @@ std::uint32_t TriangleNumbers::of_source(std::uint32_t triangle) const {
   return triangle + static_cast<std::uint32_t>(low);
 }
 
+std::uint32_t TriangleNumbers::first_of(std::size_t face) const {
+  if (faces_->empty()) return static_cast<std::uint32_t>(face);
+  return face < faces_->size() ? (*faces_)[face] : static_cast<std::uint32_t>(in_source_);
+}
+
 std::uint32_t TriangleNumbers::face_of(std::uint32_t number) const {
   if (faces_->empty()) return number;
   return static_cast<std::uint32_t>(std::upper_bound(faces_->begin(), faces_->end(), number) -

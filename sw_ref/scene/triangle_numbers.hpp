@@ -36,13 +36,16 @@ class TriangleNumbers {
   [[nodiscard]] std::uint32_t kept_below(std::uint32_t number) const {
     return number - dropped_below(number);
   }
-  /// The triangle of the mesh that has the number; `none` if the mesh lacks it. `number` < in_source().
+  /// The triangle of the mesh that has the number; `none` if the mesh lacks it or the source has no such number.
   [[nodiscard]] std::uint32_t in_mesh(std::uint32_t number) const {
     const std::uint32_t below = dropped_below(number);
-    return below < dropped_->size() && (*dropped_)[below] == number ? none : number - below;
+    const bool dropped = below < dropped_->size() && (*dropped_)[below] == number;
+    return dropped || number >= in_source_ ? none : number - below;
   }
   /// The number of a triangle of the mesh.
   [[nodiscard]] std::uint32_t of_source(std::uint32_t triangle) const;
+  /// The number of the first triangle of a face of the file; in_source() behind the last face that has one.
+  [[nodiscard]] std::uint32_t first_of(std::size_t face) const;
   /// The face of the file, from 0, that the triangle with this number is part of.
   [[nodiscard]] std::uint32_t face_of(std::uint32_t number) const;
 

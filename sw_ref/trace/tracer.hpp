@@ -9,6 +9,7 @@
 
 #include "hls/box/int_format.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/scene/mesh.hpp"
 #include "sw_ref/scene/ray.hpp"
 
@@ -19,6 +20,12 @@ enum class Query : std::uint8_t {
   closest,  ///< the nearest triangle, ties to the lower index
   any,      ///< stop at the first triangle found: only blocked or not blocked counts
 };
+
+/// Whether a ray's answer is the right one. Triangles are those of TraceJob, or their numbers.
+[[nodiscard]] inline bool same_answer(Query query, std::uint32_t triangle, std::uint32_t right) {
+  if (query == Query::closest) return triangle == right;
+  return (triangle == Hit::none) == (right == Hit::none);
+}
 
 /// The work of tracing. A load is one fetch of a node or triangle, for any number of rays. For single rays
 /// loads equal tests; for bundles there are fewer loads (section 5.6).

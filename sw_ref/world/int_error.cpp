@@ -28,16 +28,17 @@ std::vector<std::uint32_t> answers(const Tracer& tracer, const Batch& batch, Tra
   return found;
 }
 
+std::uint32_t number_of(std::uint32_t triangle, const TriangleNumbers& numbers) {
+  return triangle == IntHit::none ? triangle : numbers.of_source(triangle);
+}
+
 void compare_rays(const Batch& batch, const TriangleNumbers& before, const std::vector<std::uint32_t>& found,
                   const TriangleNumbers& after, IntError& error) {
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool hit_before = batch.triangles[i] != IntHit::none;
-    const bool hit_after = found[i] != IntHit::none;
-    const bool same =
-        hit_before == hit_after && (!hit_before || batch.query == Query::any ||
-                                    before.of_source(batch.triangles[i]) == after.of_source(found[i]));
-    error.different_rays += same ? 0 : 1;
-    error.lost_hits += hit_before && !hit_after ? 1 : 0;
+    const std::uint32_t in_floats = number_of(batch.triangles[i], before);
+    const std::uint32_t in_integers = number_of(found[i], after);
+    error.different_rays += same_answer(batch.query, in_integers, in_floats) ? 0 : 1;
+    error.lost_hits += in_floats != IntHit::none && in_integers == IntHit::none ? 1 : 0;
   }
 }
 

@@ -12,7 +12,8 @@ import tempfile
 from fractions import Fraction
 
 program = os.path.abspath(sys.argv[1])
-os.chdir(tempfile.mkdtemp())
+folder = tempfile.TemporaryDirectory()
+os.chdir(folder.name)
 wrong = 0
 
 

@@ -31,6 +31,7 @@ TEST(TriangleNumbers, AreThoseOfTheSourceAfterTrianglesAreDroppedTwice) {
   EXPECT_EQ(numbers.in_mesh(0), 0U);
   EXPECT_EQ(numbers.in_mesh(3), 1U);
   for (const std::uint32_t gone : {1U, 2U, 4U, 5U}) EXPECT_EQ(numbers.in_mesh(gone), TriangleNumbers::none);
+  for (const std::uint32_t beyond : {6U, 7U, ~0U}) EXPECT_EQ(numbers.in_mesh(beyond), TriangleNumbers::none);
   EXPECT_EQ(numbers.of_source(0), 0U);
   EXPECT_EQ(numbers.of_source(1), 3U);
 }
@@ -55,6 +56,9 @@ TEST(TriangleNumbers, OfAFaceFollowEachOther) {
   for (std::uint32_t number = 0; number < numbers.in_source(); ++number)
     faces.push_back(numbers.face_of(number));
   EXPECT_THAT(faces, ElementsAre(0U, 0U, 1U, 3U, 3U, 3U));
+  std::vector<std::uint32_t> first;
+  for (std::size_t face = 0; face <= 4; ++face) first.push_back(numbers.first_of(face));
+  EXPECT_THAT(first, ElementsAre(0U, 2U, 3U, 3U, 6U));
   std::vector<std::uint32_t> below;
   for (std::uint32_t number = 0; number <= 6; ++number) below.push_back(numbers.kept_below(number));
   EXPECT_THAT(below, ElementsAre(0U, 1U, 1U, 2U, 3U, 3U, 3U));
