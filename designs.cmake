@@ -32,4 +32,5 @@ set(HITPIPE_MACHINES
   requests
   beats
   scene_memory
+  read_meter
 )

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "hls/box/format.hpp"
-#include "hls/machines/id_queue.hpp"
+#include "hls/machines/channels.hpp"
 #include "hls/machines/memory.hpp"
 #include "hls/num/levels.hpp"
 
@@ -39,9 +39,8 @@ struct BeatBits {
 
 namespace beats {
 
-constexpr Data<"request_valid"> request_valid;  // this and `request_ready` are 1: a block is asked for
-constexpr Data<"request_ready"> request_ready;
-constexpr Data<"request_id", &BeatBits::id> request_id;
+using namespace channels;
+
 constexpr DataIf<"request_upper", 1, &BeatBits::halves> request_upper;  // the block is in the upper half
 constexpr Data<"beat_valid"> beat_valid;  // a beat; it is taken if `beat_ready` is 1
 constexpr Data<"beat_0", 64> beat_0;
@@ -54,46 +53,30 @@ constexpr DataIf<"beat_6", 64, &BeatBits::has<6>> beat_6;
 constexpr DataIf<"beat_7", 64, &BeatBits::has<7>> beat_7;
 
 constexpr Data<"beat_ready"> beat_ready;
-constexpr Data<"read_valid"> read_valid;  // a block, which the core takes at once
-constexpr Data<"read_id", &BeatBits::id> read_id;
-constexpr Data<"read_word_0", 64> read_word_0;
-constexpr Data<"read_word_1", 64> read_word_1;
-constexpr Data<"read_word_2", 64> read_word_2;
-constexpr Data<"read_word_3", 64> read_word_3;
-
 using Queue = IdQueue<>;  // who asked
 constexpr ControlIf<"count", &BeatBits::count, &BeatBits::several>
     count;                             // beats of the oldest block that have come
 constexpr Control<"there_1"> there_1;  // a whole block
-constexpr Data<"id_1", &BeatBits::id> id_1;
-constexpr Data<"word_0_1", 64> word_0_1;
-constexpr Data<"word_1_1", 64> word_1_1;
-constexpr Data<"word_2_1", 64> word_2_1;
-constexpr Data<"word_3_1", 64> word_3_1;
+struct WholeBlock : Join<List<read_id>, BlockWords> {};
 
 constexpr Block<"askers", &BeatBits::rays, &BeatBits::asker> askers;  // the queue
 
 struct Beats {
   static constexpr const char* name = "beats";
   static constexpr const char* summary = "makes blocks of a memory bus's beats, which come in order";
-  static constexpr const char* header = __FILE__;
   using Bits = BeatBits;
   using BuiltIn = FormatList<Fixed<BeatBits{64, 5}>>;
   struct In : List<request_valid, request_ready, request_id, request_upper, beat_valid, beat_0, beat_1,
                    beat_2, beat_3, beat_4, beat_5, beat_6, beat_7> {};
-  struct Out : List<beat_ready, read_valid, read_id, read_word_0, read_word_1, read_word_2, read_word_3> {};
-  struct State : Join<Queue::State, List<count, there_1, id_1, word_0_1, word_1_1, word_2_1, word_3_1>> {};
+  struct Out : Join<List<beat_ready>, BlockRead> {};
+  struct State : Join<Queue::State, List<count, there_1>, Held<WholeBlock>> {};
   struct Memory : List<askers> {};
 
   template <class D>
   static constexpr void outputs(const auto& /*f*/, const auto& now, const auto& /*memory*/, const auto& out) {
     out[beat_ready] = now[Queue::there];
     out[read_valid] = now[there_1];
-    out[read_id] = now[id_1];
-    out[read_word_0] = now[word_0_1];
-    out[read_word_1] = now[word_1_1];
-    out[read_word_2] = now[word_2_1];
-    out[read_word_3] = now[word_3_1];
+    out.from_held(now, WholeBlock());
   }
 
   template <class D>
@@ -117,10 +100,11 @@ struct Beats {
     memory[askers].ask(Queue::step<D>(now, next, enters, last));
 
     const auto asked = memory[askers].word();
-    next[id_1] = slice(asked, width_of(in[request_id]) - 1_w, 0_w);
+    next[held<read_id>] = slice(asked, width_of(in[request_id]) - 1_w, 0_w);
     // The words of a beat come in above, and those of the beats before move down; or a half of them comes in.
     using Part = std::remove_cvref_t<decltype(in[beat_0])>;
-    const Part held[] = {now[word_0_1], now[word_1_1], now[word_2_1], now[word_3_1]};
+    const Part words[] = {now[held<read_word_0>], now[held<read_word_1>], now[held<read_word_2>],
+                          now[held<read_word_3>]};
     const Part came[] = {in[beat_0], in[beat_1], in[beat_2], in[beat_3],
                          in[beat_4], in[beat_5], in[beat_6], in[beat_7]};
     const auto part = [&](int k) -> Part {
@@ -128,13 +112,13 @@ struct Beats {
           halves, asked, [&](const auto& word) { return select(Bit(sign(word)), came[k + 4], came[k]); },
           [&](const auto&) {
             const int from = k + bits.words();
-            return select(taken, from < 4 ? held[from] : came[from - 4], held[k]);
+            return select(taken, from < 4 ? words[from] : came[from - 4], words[k]);
           });
     };
-    next[word_0_1] = part(0);
-    next[word_1_1] = part(1);
-    next[word_2_1] = part(2);
-    next[word_3_1] = part(3);
+    next[held<read_word_0>] = part(0);
+    next[held<read_word_1>] = part(1);
+    next[held<read_word_2>] = part(2);
+    next[held<read_word_3>] = part(3);
   }
 };
 

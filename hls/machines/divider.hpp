@@ -8,10 +8,9 @@
 #pragma once
 
 #include "hls/box/format.hpp"
-#include "hls/machines/id_queue.hpp"
+#include "hls/machines/channels.hpp"
 #include "hls/machines/memory.hpp"
 #include "hls/num/levels.hpp"
-#include "hls/world/core_format.hpp"
 
 namespace hitpipe::hls {
 namespace divider {
@@ -29,29 +28,10 @@ inline constexpr auto divisions = [](const CoreBits& f) { return cycles(f.distan
 inline constexpr auto left_bits = [](const CoreBits& f) { return count_bits(divisions(f) + 1); };
 inline constexpr auto quotient_bits = [](const CoreBits& f) { return 2 * divisions(f); };
 inline constexpr auto raised_by = [](const CoreBits& f) { return f.slope + f.fraction; };
-// A number with a sign has two ports: the high half has the sign, and the low half may have a bit less.
-inline constexpr auto det_low_bits = [](const CoreBits& f) { return f.determinant() / 2; };
-inline constexpr auto det_high_bits = [](const CoreBits& f) { return f.determinant() - det_low_bits(f); };
-inline constexpr auto num_low_bits = [](const CoreBits& f) { return f.volume() / 2; };
-inline constexpr auto num_high_bits = [](const CoreBits& f) { return f.volume() - num_low_bits(f); };
+using namespace channels;
 
-constexpr Data<"tested"> tested;  // this and `hit` are 1: a test of int_triangle ends in this cycle with HIT
-constexpr Data<"hit"> hit;
-constexpr Data<"ray", ray_bits> ray;  // of that test
-constexpr SignedData<"det_high", det_high_bits> det_high;
-constexpr Data<"det_low", det_low_bits> det_low;
-constexpr SignedData<"num_high", num_high_bits> num_high;
-constexpr Data<"num_low", num_low_bits> num_low;
-constexpr Data<"number", triangle_number_bits>
-    number;  // of the triangle that the ray `asked` was tested with
-constexpr Data<"best", &CoreBits::distance>
-    best;  // T of the best hit of that ray; its length before the first
-constexpr Data<"best_number", triangle_number_bits> best_number;  // all ones before the first
-
-constexpr Data<"asked", ray_bits> asked;  // the ray whose best and number are wanted in the next cycles
-constexpr Data<"done"> done;              // 1: `asked`, `t` and `closer` are an answer
-constexpr Data<"t", &CoreBits::distance> t;
-constexpr Data<"closer"> closer;  // (T, number) is less than (best, best_number)
+using TestDet = Halves<"det", &CoreBits::determinant>;
+using TestNum = Halves<"num", &CoreBits::volume>;
 
 using Queue = IdQueue<>;                    // tests that wait; the oldest is divided
 constexpr Control<"left", left_bits> left;  // cycles of division to come
@@ -71,12 +51,11 @@ constexpr Block<"nums", &CoreBits::rays, &CoreBits::volume> nums;
 struct Divider {
   static constexpr const char* name = "divider";
   static constexpr const char* summary = "distance of the triangles that are hit, and the nearest";
-  static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = CoreBits;
   using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>, Fixed<CoreBits{{20, 1, 20, 0, 0}, 7}>>;
-  struct In : List<tested, hit, ray, det_high, det_low, num_high, num_low, number, best, best_number> {};
-  struct Out : List<asked, done, t, closer> {};
+  struct In : Join<Tested, TestDet, TestNum, Divides::Back> {};
+  using Out = Divides;
   struct State : Join<Queue::State, List<left, compares, answers, at, remainder, thrice, quotient, nearer>> {
   };
   struct Memory : List<rays, dets, nums> {};
@@ -101,9 +80,9 @@ struct Divider {
     // The queue. The words of its oldest test are asked for all the time.
     const auto place = as("place", Queue::place(now));
     const Bit enters = as("enters", in[tested] & in[hit]);
-    memory[rays].write(enters, place, in[ray]);
-    memory[dets].write(enters, place, cat(in[det_high], in[det_low]));
-    memory[nums].write(enters, place, cat(in[num_high], in[num_low]));
+    memory[rays].write(enters, place, in[tester]);
+    memory[dets].write(enters, place, cat(in[TestDet::high], in[TestDet::low]));
+    memory[nums].write(enters, place, cat(in[TestNum::high], in[TestNum::low]));
     const Bit divides = as("divides", any<D>(now[left]));
     const Bit loads = as("loads", now[Queue::there] & ~divides & ~now[compares]);
     const auto oldest = Queue::step<D>(now, next, enters, now[compares]);
@@ -152,7 +131,7 @@ struct Divider {
         cat(slice(now[quotient], t_bits - 3_w, 0_w), cat(Bit(~first_negative), Bit(~Bit(sign(divided)))));
 
     const auto found = slice(now[quotient], t.width(f) - 1_w, 0_w);
-    next[nearer] = Bit(cat(found, in[number]) < cat(in[best], in[best_number]));
+    next[nearer] = Bit(cat(found, in[asked_number]) < cat(in[best], in[best_number]));
     next.where(loads)[at] = memory[rays].word();
     next[remainder] = select(loads, above, divided);
     next.where(loads)[thrice] = resize(det + as_signed(cat(det, zero)), det_bits);

@@ -31,7 +31,7 @@ class Record {
   constexpr Record(const F& format, const X& word) : format_(format), word_(word) {}
   template <class Part>
   constexpr auto operator[](Part part) const {
-    static_assert(Parts::template has<Part>, "the word does not have this part");
+    static_assert(Parts::Items::template has<Part>, "the word does not have this part");
     const auto low = detail::width_behind<Part>(format_, typename Parts::Items());
     const auto bits = slice(word_, low + part.width(format_) - 1_w, low);
     if constexpr (Part::is_signed)
@@ -83,7 +83,7 @@ struct Packed {
     return {format, word};
   }
   template <class... X>
-  static constexpr bool takes = sizeof...(X) == 1 || sizeof...(X) == Parts::count;
+  static constexpr bool takes = sizeof...(X) == 1 || sizeof...(X) == Parts::Items::count;
 };
 
 /// `Contents` gives the words of a rom.

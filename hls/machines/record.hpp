@@ -76,6 +76,7 @@ struct FieldOf {
   }
   template <class D, class F>
   using Value = std::conditional_t<Signed, SignedWord<D, Number<W, F>>, Word<D, Number<W, F>>>;
+  using Held = FieldOf<N + Name("_1"), W, Signed, HasReset, Reset, Exists>;
 };
 /// A port, a part of a memory's word, or a register whose value means nothing until it has been written.
 template <Name N, auto W = 1>
@@ -93,6 +94,10 @@ using DataIf = FieldOf<N, W, false, false, 0, Exists>;
 template <Name N, auto W, auto Exists>
 using ControlIf = FieldOf<N, W, false, true, 0, Exists>;
 
+/// The register that holds a field for a cycle: "length_1" of "length".
+template <auto Field>
+inline constexpr typename decltype(Field)::Held held;
+
 /// Fields, or memories. Messages of compilers are shorter if it has a name: struct In : List<a, b> {};
 template <auto... Fields>
 struct List {
@@ -102,18 +107,33 @@ struct List {
   static constexpr bool has = (std::is_same_v<std::remove_const_t<decltype(Fields)>, Field> || ...);
 };
 namespace detail {
+template <class All, class... Lists>
+struct Joined;
+template <class All>
+struct Joined<All> {
+  using Type = All;
+};
+template <class All, class... Rest>
+struct Joined<All, List<>, Rest...> : Joined<All, Rest...> {};
+template <auto... All, auto First, auto... More, class... Rest>
+struct Joined<List<All...>, List<First, More...>, Rest...>
+    : Joined<std::conditional_t<List<All...>::template has<std::remove_const_t<decltype(First)>>,
+                                List<All...>, List<All..., First>>,
+             List<More...>, Rest...> {};
+}  // namespace detail
+/// The fields of several lists, each once.
+template <class... Lists>
+using Join = typename detail::Joined<List<>, typename Lists::Items...>::Type;
+
+namespace detail {
 template <auto... A>
-constexpr List<A...> joined(List<A...>) {
+constexpr List<held<A>...> all_held(List<A...>) {
   return {};
 }
-template <auto... A, auto... B, class... Rest>
-constexpr auto joined(List<A...>, List<B...>, Rest... rest) {
-  return joined(List<A..., B...>(), rest...);
-}
 }  // namespace detail
-/// The fields of several lists.
-template <class... Lists>
-using Join = decltype(detail::joined(typename Lists::Items()...));
+/// The registers that hold the fields of a list.
+template <class Fields>
+using Held = decltype(detail::all_held(typename Fields::Items()));
 
 namespace detail {
 template <class D, class F, class Field>
@@ -139,12 +159,12 @@ template <class D, class F, class Fields>
 struct Values : detail::Slots<D, F, typename Fields::Items> {
   template <class Field>
   constexpr auto& operator[](Field) {
-    static_assert(Fields::template has<Field>, "the list does not have this field");
+    static_assert(Fields::Items::template has<Field>, "the list does not have this field");
     return static_cast<detail::Slot<D, F, Field>&>(*this).value;
   }
   template <class Field>
   constexpr const auto& operator[](Field) const {
-    static_assert(Fields::template has<Field>, "the list does not have this field");
+    static_assert(Fields::Items::template has<Field>, "the list does not have this field");
     return static_cast<const detail::Slot<D, F, Field>&>(*this).value;
   }
 };
@@ -199,11 +219,25 @@ class Writable {
   }
   /// All parts of a word of a memory, as fields.
   constexpr void copy(const auto& word) const { copy_all(word, word.parts()); }
+  /// Registers take the fields of a list that they hold.
+  constexpr void hold(const auto& in, auto fields) const { hold_all(in, typename decltype(fields)::Items()); }
+  /// The fields of a list, from the registers that hold them.
+  constexpr void from_held(const auto& now, auto fields) const {
+    copy_held(now, typename decltype(fields)::Items());
+  }
 
  private:
   template <auto... Parts>
   constexpr void copy_all(const auto& word, List<Parts...>) const {
     ((void((*this)[Parts] = word[Parts])), ...);
+  }
+  template <auto... Fields>
+  constexpr void hold_all(const auto& in, List<Fields...>) const {
+    ((void((*this)[held<Fields>] = in[Fields])), ...);
+  }
+  template <auto... Fields>
+  constexpr void copy_held(const auto& now, List<Fields...>) const {
+    ((void((*this)[Fields] = now[held<Fields>])), ...);
   }
 
   Record& record_;
@@ -224,6 +258,13 @@ class Next : public Writable<State, Log> {
     constexpr auto operator[](Field field) const {
       using Value = std::remove_cvref_t<decltype(next.now_[field])>;
       return WrittenWhere<Bit, Value, Log>(bit, next.now_[field], next[field]);
+    }
+    constexpr void hold(const auto& in, auto fields) const {
+      hold_all(in, typename decltype(fields)::Items());
+    }
+    template <auto... Fields>
+    constexpr void hold_all(const auto& in, List<Fields...>) const {
+      ((void((*this)[held<Fields>] = in[Fields])), ...);
     }
   };
   /// next.where(bit)[field] = x: the field keeps its value where the bit is 0.

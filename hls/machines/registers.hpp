@@ -13,9 +13,8 @@
 #pragma once
 
 #include "hls/box/format.hpp"
+#include "hls/machines/channels.hpp"
 #include "hls/machines/memory.hpp"
-#include "hls/machines/walk_format.hpp"
-#include "hls/world/core_format.hpp"
 
 namespace hitpipe::hls {
 
@@ -31,13 +30,13 @@ struct RegisterBits {
   static constexpr const char* condition = "H at least A+5";
 
   constexpr int block() const { return bytes - 5; }
-  /// Of a number of rays, and of a request's identifier.
-  constexpr int rays() const { return ray + 1; }
   constexpr bool valid() const { return bytes >= address + 5; }
   friend constexpr bool operator==(const RegisterBits&, const RegisterBits&) = default;
 };
 
 namespace registers {
+
+using namespace channels;
 
 constexpr std::int64_t identity = 0x48697470;  ///< "Hitp"
 constexpr std::int64_t version = 1;
@@ -64,16 +63,6 @@ constexpr Data<"bready"> bready;
 constexpr Data<"arvalid"> arvalid;
 constexpr Data<"araddr", word_place_bits + 2> araddr;
 constexpr Data<"rready"> rready;
-// What is counted: ports of the core.
-constexpr Data<"ray_valid"> ray_valid;
-constexpr Data<"ray_ready"> ray_ready;
-constexpr Data<"hit_valid"> hit_valid;
-constexpr Data<"hit_ready"> hit_ready;
-constexpr Data<"hit_number", triangle_number_bits> hit_number;
-constexpr Data<"request_valid"> request_valid;
-constexpr Data<"request_ready"> request_ready;
-constexpr Data<"request_id", &RegisterBits::rays> request_id;
-
 constexpr Data<"awready"> awready;
 constexpr Data<"wready"> wready;
 constexpr Data<"bvalid"> bvalid;
@@ -82,10 +71,6 @@ constexpr Data<"arready"> arready;
 constexpr Data<"rvalid"> rvalid;
 constexpr Data<"rdata", 32> rdata;
 constexpr Data<"rresp", 2> rresp;
-constexpr Data<"base", &RegisterBits::block> base;
-constexpr Data<"last", &RegisterBits::address> last;
-constexpr Data<"most_steps", step_count_bits> most_steps;
-constexpr Data<"most_rays", &RegisterBits::rays> most_rays;
 
 // A write: its address and its word come in any order.
 constexpr Control<"has_place"> has_place;
@@ -98,10 +83,10 @@ constexpr Control<"has_read"> has_read;
 constexpr Control<"gives"> gives;
 constexpr Data<"read_place", word_place_bits> read_place;
 constexpr Data<"given", 32> given;
-constexpr Control<"base_r", &RegisterBits::block> base_r;
-constexpr Control<"last_r", &RegisterBits::address> last_r;
+constexpr Control<"base_r", base_bits> base_r;
+constexpr Control<"last_r", address_bits> last_r;
 constexpr Control<"most_steps_r", step_count_bits, low_mask(step_count_bits)> most_steps_r;
-constexpr Control<"most_rays_r", &RegisterBits::rays> most_rays_r;
+constexpr Control<"most_rays_r", ray_count_bits> most_rays_r;
 constexpr Control<"count_cycles", &RegisterBits::counter> count_cycles;
 constexpr Control<"count_rays", &RegisterBits::counter> count_rays;
 constexpr Control<"count_answers", &RegisterBits::counter> count_answers;
@@ -114,13 +99,12 @@ constexpr Control<"count_refused", &RegisterBits::counter> count_refused;
 struct Registers {
   static constexpr const char* name = "registers";
   static constexpr const char* summary = "what the host says to a core and reads of it";
-  static constexpr const char* header = __FILE__;
   using Bits = RegisterBits;
   using BuiltIn = FormatList<Fixed<RegisterBits{24, 32, 5, 40}>>;
-  struct In : List<awvalid, awaddr, wvalid, wdata, wstrb, bready, arvalid, araddr, rready, ray_valid,
-                   ray_ready, hit_valid, hit_ready, hit_number, request_valid, request_ready, request_id> {};
-  struct Out : List<awready, wready, bvalid, bresp, arready, rvalid, rdata, rresp, base, last, most_steps,
-                    most_rays> {};
+  struct In
+      : List<awvalid, awaddr, wvalid, wdata, wstrb, bready, arvalid, araddr, rready, ray_valid, ray_ready,
+             Hits::valid, Hits::ready, Hits::number, request_valid, request_ready, request_id> {};
+  struct Out : Join<List<awready, wready, bvalid, bresp, arready, rvalid, rdata, rresp>, Settings> {};
   struct State : List<has_place, has_word, write_place, written_word, strobes, written, has_read, gives,
                       read_place, given, base_r, last_r, most_steps_r, most_rays_r, count_cycles, count_rays,
                       count_answers, count_hits, count_records, count_triangles, count_idle, count_refused> {
@@ -225,13 +209,13 @@ struct Registers {
     const auto add = [&](auto counter, const Bit& happens) {
       next[counter] = only(Bit(~clears), plus(now[counter], happens));
     };
-    const Bit answers = as("answers", in[hit_valid] & in[hit_ready]);
+    const Bit answers = as("answers", in[Hits::valid] & in[Hits::ready]);
     const Bit asked = as("asked", in[request_valid] & in[request_ready]);
     const Bit triangle = sign(in[request_id]);
     add(count_cycles, D::lit(1, 1_w));
     add(count_rays, in[ray_valid] & in[ray_ready]);
     add(count_answers, answers);
-    add(count_hits, answers & any<D>(~in[hit_number]));
+    add(count_hits, answers & any<D>(~in[Hits::number]));
     add(count_records, asked & ~triangle);
     add(count_triangles, asked & triangle);
     add(count_idle, ~in[request_valid]);

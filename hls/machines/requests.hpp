@@ -3,6 +3,7 @@
 #pragma once
 
 #include "hls/box/format.hpp"
+#include "hls/machines/channels.hpp"
 #include "hls/machines/memory.hpp"
 
 namespace hitpipe::hls {
@@ -16,42 +17,29 @@ struct RequestBits {
   static constexpr FormatField fields[] = {{"a", "A", 4, 32}, {"h", "H", 9, 64}, {"i", "I", 1, 8}};
   static constexpr const char* condition = "H at least A+5";
 
-  constexpr int block() const { return bytes - 5; }
-  constexpr int id() const { return ray + 1; }
   constexpr bool valid() const { return bytes >= address + 5; }
   friend constexpr bool operator==(const RequestBits&, const RequestBits&) = default;
 };
 
 namespace requests {
 
-constexpr Data<"asks"> asks;  // the reader's
-constexpr Data<"wanted", &RequestBits::address> wanted;
-constexpr Data<"asker", &RequestBits::ray> asker;
-constexpr Data<"triangle"> triangle;
-constexpr Data<"base", &RequestBits::block>
-    base;  // the image's address, divided by 32; constant while rays are in flight
-constexpr Data<"request_ready"> request_ready;  // memory takes the request that is given
+using namespace channels;
 
-constexpr Data<"granted"> granted;  // to the reader
-constexpr Data<"request_valid"> request_valid;
-constexpr Data<"request_address", &RequestBits::bytes> request_address;  // a multiple of 32
-constexpr Data<"request_id", &RequestBits::id> request_id;  // the ray, and above it 1 for a triangle
-
-constexpr Control<"there_1"> there_1;  // the first of two requests: it is asked for
-constexpr Data<"block_1", &RequestBits::block> block_1;
-constexpr Data<"id_1", &RequestBits::id> id_1;
-constexpr Control<"there_2"> there_2;  // the second
-constexpr Data<"block_2", &RequestBits::block> block_2;
-constexpr Data<"id_2", &RequestBits::id> id_2;
+// Two requests; the first is asked for.
+constexpr Control<"there_1"> there_1;
+constexpr Data<"block_1", base_bits> block_1;
+constexpr Data<"id_1", ray_count_bits> id_1;
+constexpr Control<"there_2"> there_2;
+constexpr Data<"block_2", base_bits> block_2;
+constexpr Data<"id_2", ray_count_bits> id_2;
 
 struct Requests {
   static constexpr const char* name = "requests";
   static constexpr const char* summary = "requests to memory, with their addresses";
-  static constexpr const char* header = __FILE__;
   using Bits = RequestBits;
   using BuiltIn = FormatList<Fixed<RequestBits{24, 32, 5}>, Fixed<RequestBits{24, 32, 7}>>;
-  struct In : List<asks, wanted, asker, triangle, base, request_ready> {};
-  struct Out : List<granted, request_valid, request_address, request_id> {};
+  struct In : Join<Asks, List<base>, Request::Back> {};
+  struct Out : Join<Asks::Back, Request> {};
   struct State : List<there_1, block_1, id_1, there_2, block_2, id_2> {};
   struct Memory : List<> {};
 
@@ -68,7 +56,7 @@ struct Requests {
                              const auto& next) {
     using Bit = typename D::bit;
     const Bit second = now[there_2];
-    const auto fresh_block = as("block", plus(in[base], in[wanted]));
+    const auto fresh_block = as("block", plus(in[base], in[asked_block]));
     // The request behind the first one.
     const Bit there = select(second, second, in[asks]);
     const auto block = select(second, now[block_2], fresh_block);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "hls/box/format.hpp"
+#include "hls/machines/channels.hpp"
 #include "hls/machines/memory.hpp"
 
 namespace hitpipe::hls {
@@ -17,47 +18,31 @@ struct SceneMemoryBits {
   constexpr int words() const { return 4 * power_of_two(address); }
   constexpr int place() const { return address + 2; }
   constexpr int bytes() const { return address + 5; }
-  constexpr int id() const { return ray + 1; }
   friend constexpr bool operator==(const SceneMemoryBits&, const SceneMemoryBits&) = default;
 };
 
 namespace scene_memory {
 
-constexpr Data<"request_valid"> request_valid;  // the core's request stays until it is taken
-constexpr Data<"request_address", &SceneMemoryBits::bytes> request_address;
-constexpr Data<"request_id", &SceneMemoryBits::id> request_id;
+using namespace channels;
+
 constexpr Data<"word_valid"> word_valid;  // a word of the image, which stays until it is taken
 constexpr Data<"word_place", &SceneMemoryBits::place> word_place;
 constexpr Data<"word", 64> word;
-
-constexpr Data<"request_ready"> request_ready;
 constexpr Data<"word_ready"> word_ready;
-constexpr Data<"read_valid"> read_valid;  // a block, which the core takes at once
-constexpr Data<"read_id", &SceneMemoryBits::id> read_id;
-constexpr Data<"read_word_0", 64> read_word_0;
-constexpr Data<"read_word_1", 64> read_word_1;
-constexpr Data<"read_word_2", 64> read_word_2;
-constexpr Data<"read_word_3", 64> read_word_3;
-
 constexpr Control<"count", 2> count;   // words of the block that have been asked for
 constexpr Control<"there_1"> there_1;  // a whole block; its last word is the memory's
-constexpr Data<"id_1", &SceneMemoryBits::id> id_1;
-constexpr Data<"word_0_1", 64> word_0_1;
-constexpr Data<"word_1_1", 64> word_1_1;
-constexpr Data<"word_2_1", 64> word_2_1;
+struct FirstWords : List<read_id, read_word_0, read_word_1, read_word_2> {};
 
 constexpr Single<"blocks", &SceneMemoryBits::words, 64> blocks;
 
 struct SceneMemory {
   static constexpr const char* name = "scene_memory";
   static constexpr const char* summary = "reads blocks of an image that is in a memory of the chip";
-  static constexpr const char* header = __FILE__;
   using Bits = SceneMemoryBits;
   using BuiltIn = FormatList<Fixed<SceneMemoryBits{12, 1}>>;
-  struct In : List<request_valid, request_address, request_id, word_valid, word_place, word> {};
-  struct Out : List<request_ready, word_ready, read_valid, read_id, read_word_0, read_word_1, read_word_2,
-                    read_word_3> {};
-  struct State : List<count, there_1, id_1, word_0_1, word_1_1, word_2_1> {};
+  struct In : Join<Request, List<word_valid, word_place, word>> {};
+  struct Out : Join<Request::Back, List<word_ready>, BlockRead> {};
+  struct State : Join<List<count, there_1>, Held<FirstWords>> {};
   struct Memory : List<blocks> {};
 
   template <class D>
@@ -66,10 +51,7 @@ struct SceneMemory {
     out[request_ready] = is<D>(now[count], 3);
     out[word_ready] = is<D>(now[count], 0);
     out[read_valid] = now[there_1];
-    out[read_id] = now[id_1];
-    out[read_word_0] = now[word_0_1];
-    out[read_word_1] = now[word_1_1];
-    out[read_word_2] = now[word_2_1];
+    out.from_held(now, FirstWords());
     out[read_word_3] = memory[blocks].word();
   }
 
@@ -83,10 +65,10 @@ struct SceneMemory {
     const auto place = as("place", select(writes, in[word_place], cat(block, now[count])));
     memory[blocks].access(writes, place, in[word]);
     // The words of a block come in above, one after the other, and those before move down.
-    next[word_0_1] = now[word_1_1];
-    next[word_1_1] = now[word_2_1];
-    next[word_2_1] = memory[blocks].word();
-    next[id_1] = in[request_id];
+    next[held<read_word_0>] = now[held<read_word_1>];
+    next[held<read_word_1>] = now[held<read_word_2>];
+    next[held<read_word_2>] = memory[blocks].word();
+    next[held<read_id>] = in[request_id];
     next[there_1] = as("last_word", reads & is<D>(now[count], 3));
     next[count] = plus(now[count], reads);
   }

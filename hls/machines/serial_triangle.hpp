@@ -8,15 +8,14 @@
 #pragma once
 
 #include "hls/box/format.hpp"
-#include "hls/machines/memory.hpp"
 #include "hls/machines/triangle_program.hpp"
 #include "hls/machines/triangle_queue.hpp"
 #include "hls/num/levels.hpp"
-#include "hls/world/core_format.hpp"
 
 namespace hitpipe::hls {
 namespace serial_triangle {
 
+using namespace channels;
 namespace program = triangle_program;
 namespace queue = triangle_queue;
 
@@ -34,24 +33,6 @@ inline constexpr auto left_bits = [](const CoreBits& f) { return count_bits(f.di
 inline constexpr auto raised_by = [](const CoreBits& f) { return f.slope + f.fraction; };
 constexpr int counter_bits = count_bits(program::most_instructions);
 constexpr int code_bits = program::instruction_bits;
-
-constexpr Data<"asked_number", triangle_number_bits>
-    asked_number;  // of the triangle that the ray `asked` is tested with
-constexpr Data<"best", &CoreBits::distance>
-    best;  // T of the best hit of that ray; its length before the first
-constexpr Data<"best_number", triangle_number_bits> best_number;  // all ones before the first
-
-// What triangle_feed says of a triangle that has come, int_triangle of HIT, and divider of T.
-constexpr Data<"reads"> reads;
-constexpr Data<"read_ray", ray_bits> read_ray;
-constexpr Data<"number", triangle_number_bits> number;
-constexpr Data<"tested"> tested;  // the test of the ray `asked` has ended
-constexpr Data<"hit"> hit;
-constexpr Data<"asked", ray_bits>
-    asked;                    // the ray of the oldest triangle; its best is wanted in the next cycles
-constexpr Data<"done"> done;  // 1: `asked`, `t` and `closer` are an answer
-constexpr Data<"t", &CoreBits::distance> t;
-constexpr Data<"closer"> closer;  // (T, number) is less than (best, best_number)
 
 constexpr Control<"works"> works;                    // the oldest triangle is tested
 constexpr Control<"tested_1"> tested_1;              // the program has ended in the last cycle
@@ -83,12 +64,11 @@ constexpr Block<"words_1", power_of_two(program::place_bits), word_bits>
 struct SerialTriangle {
   static constexpr const char* name = "serial_triangle";
   static constexpr const char* summary = "tests triangles with one multiplier, for small chips";
-  static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = CoreBits;
   using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>>;
-  struct In : Join<queue::In, List<asked_number, best, best_number>> {};
-  struct Out : List<reads, read_ray, number, tested, hit, asked, done, t, closer> {};
+  struct In : Join<queue::In, Divides::Back> {};
+  struct Out : Join<TriangleRead, List<tested, hit>, Divides> {};
   struct State : Join<queue::State,
                       List<works, tested_1, hit_1, fetches, counter, fetched, reads_words, multiplied, code_2,
                            code_3, product, sum, det, left, quotient, compares, answers, nearer>> {};

@@ -2,33 +2,23 @@
 // unit takes a test in some cycles only. Till then triangles wait. A test begins every two cycles at most.
 #pragma once
 
-#include "hls/machines/memory.hpp"
 #include "hls/machines/triangle_queue.hpp"
-#include "hls/world/core_format.hpp"
 
 namespace hitpipe::hls {
 namespace triangle_feed {
 
+using namespace channels;
 namespace queue = triangle_queue;
-
-constexpr Data<"unit_takes"> unit_takes;  // the unit takes a test in this cycle
-
-constexpr Data<"reads"> reads;  // to best_hits
-constexpr Data<"read_ray", ray_bits> read_ray;
-constexpr Data<"number", triangle_number_bits> number;
-constexpr Data<"begins"> begins;  // a test, with the names that the unit's operands have
-constexpr Data<"test_ray", ray_bits> test_ray;
 
 struct TriangleFeed {
   static constexpr const char* name = "triangle_feed";
   static constexpr const char* summary = "gives triangles and their rays to the triangle unit";
-  static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = CoreBits;
   using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>, Fixed<CoreBits{{20, 1, 20, 0, 0}, 7}>>;
-  struct In : Join<queue::In, List<unit_takes>> {};
-  struct Out : Join<List<reads, read_ray, number, begins, test_ray>, queue::Origins, queue::Slopes,
-                    queue::Corner0, queue::Corner1, queue::Corner2> {};
+  struct In : Join<queue::In, Begins::Back> {};
+  struct Out : Join<TriangleRead, Begins, queue::Origins, queue::Slopes, queue::Corner0, queue::Corner1,
+                    queue::Corner2> {};
   using State = queue::State;
   using Memory = queue::Memory;
 

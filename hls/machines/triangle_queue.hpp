@@ -4,21 +4,15 @@
 // and from the next cycle on it may be tested.
 #pragma once
 
-#include "hls/machines/core_ports.hpp"
-#include "hls/machines/id_queue.hpp"
+#include "hls/machines/channels.hpp"
 #include "hls/machines/memory.hpp"
-#include "hls/world/core_format.hpp"
 
 namespace hitpipe::hls::triangle_queue {
 
-using core_ports::point_bits;
+using namespace channels;
 
-inline constexpr auto slope_bits = [](const CoreBits& f) { return f.slope + 1; };
-
-constexpr Data<"ray_s_a", slope_bits> ray_s_a;
-constexpr Data<"ray_s_b", slope_bits> ray_s_b;
 /// A new ray, and a block that memory gives, which may be a triangle.
-struct In : Join<core_ports::NewRay, List<ray_s_a, ray_s_b>, core_ports::BlockRead> {};
+struct In : Join<Begun, Direction, List<ray_s_a, ray_s_b>, BlockRead> {};
 
 using Queue = IdQueue<>;
 constexpr Control<"ready"> ready;      // the words of the oldest triangle's ray are there
@@ -64,7 +58,6 @@ struct Memory : List<rays, corners_0, corners_1, corners_2, origins, slopes> {};
 template <class D>
 constexpr void step(const auto& f, const auto& now, const auto& in, const auto& leaves, const auto& memory,
                     const auto& next) {
-  using namespace core_ports;
   using Bit = typename D::bit;
   const Bit begins = as("ray_begins", in[ray_valid] & in[ray_ready]);
   const auto slope = [&](const auto& size, const Bit& back) {
@@ -80,7 +73,7 @@ constexpr void step(const auto& f, const auto& now, const auto& in, const auto& 
   const Bit enters = as("reads_triangle", in[read_valid] & Bit(reads_triangle(in)));
   const auto place = as("place", Queue::place(now));
   const auto n = x0.width(f);
-  memory[rays].write(enters, place, read_ray(in));
+  memory[rays].write(enters, place, reader_of(in));
   memory[corners_0].write(enters, place, coordinate<0>(in, n), coordinate<1>(in, n), coordinate<2>(in, n));
   memory[corners_1].write(enters, place, coordinate<3>(in, n), coordinate<4>(in, n), coordinate<5>(in, n));
   memory[corners_2].write(enters, place, coordinate<6>(in, n), coordinate<7>(in, n), coordinate<8>(in, n));
@@ -94,7 +87,7 @@ constexpr void step(const auto& f, const auto& now, const auto& in, const auto& 
   memory[corners_1].ask(oldest);
   memory[corners_2].ask(oldest);
   next[reads_1] = enters;
-  next[reader_1] = read_ray(in);
+  next[reader_1] = reader_of(in);
   next[number_1] = piece<216, 32>(in);
 }
 

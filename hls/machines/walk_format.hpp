@@ -13,11 +13,11 @@ namespace hitpipe {
 namespace hls {
 
 struct WalkBits {
-  int distance = 20;  ///< D
-  int address = 24;   ///< A
-  int levels = 60;    ///< L
-  int stack = 3;      ///< K
-  int ray = 5;        ///< I
+  int box = 20;      ///< D
+  int address = 24;  ///< A
+  int levels = 60;   ///< L
+  int stack = 3;     ///< K
+  int ray = 5;       ///< I
 
   static constexpr FormatField fields[] = {
       {"d", "D", 4, 36}, {"a", "A", 4, 32}, {"l", "L", 2, 60}, {"k", "K", 1, 6}, {"i", "I", 1, 8}};

@@ -13,48 +13,24 @@
 // waits. A level is named by the place of its bit.
 #pragma once
 
-#include "hls/machines/id_queue.hpp"
+#include "hls/machines/channels.hpp"
 #include "hls/machines/memory.hpp"
-#include "hls/machines/walk_format.hpp"
 #include "hls/num/one_hot.hpp"
 
 namespace hitpipe::hls {
 namespace walker {
 
-constexpr Data<"begins"> begins;  // a new ray, where `takes` was 1: it begins at the root's own record
-constexpr Data<"begun", &WalkBits::ray> begun;
-constexpr Data<"length", &WalkBits::distance> length;
-constexpr Data<"reads"> reads;  // a record has been read for a ray: the blocks of its children
-constexpr Data<"read_ray", &WalkBits::ray> read_ray;
-constexpr Data<"block", &WalkBits::address> block;  // of child 0; child 1 follows
-constexpr Data<"count_0", child_count_bits> count_0;
-constexpr Data<"count_1", child_count_bits> count_1;
-constexpr Data<"tested"> tested;  // int_major_pair has tested the boxes of that record, now or later
-constexpr Data<"ray", &WalkBits::ray> ray;
+using namespace channels;
+
+// The boxes of a record have been tested, now or later than its blocks were read.
 constexpr Data<"hit_0"> hit_0;
 constexpr Data<"hit_1"> hit_1;
 constexpr Data<"second_first"> second_first;
-constexpr Data<"near_0", &WalkBits::distance> near_0;
-constexpr Data<"far_0", &WalkBits::distance> far_0;
-constexpr Data<"near_1", &WalkBits::distance> near_1;
-constexpr Data<"far_1", &WalkBits::distance> far_1;
-constexpr Data<"leaf"> leaf;  // the triangles of a leaf have been tested
-constexpr Data<"leaf_ray", &WalkBits::ray> leaf_ray;
-constexpr Data<"cut", &WalkBits::distance> cut;  // the ray's length now, as a box distance
-constexpr Data<"stops"> stops;                   // nothing else is wanted of this ray
-constexpr Data<"lost"> lost;                     // with `stops`: it wanted a block that is not in the image
-// The most records that a walk may test. It must not change while rays are in flight.
-constexpr Data<"most_steps", step_count_bits> most_steps;
-
-constexpr Data<"takes"> takes;            // a new ray may begin in this cycle
-constexpr Data<"goes"> goes;              // the ray wants a record, or the triangles of a leaf
-constexpr Data<"ended"> ended;            // the ray's walk has ended
-constexpr Data<"failed"> failed;          // with `ended`: at a bound, of steps or of levels, or lost
-constexpr Data<"of", &WalkBits::ray> of;  // the ray
-constexpr Data<"wanted", &WalkBits::address> wanted;         // the block
-constexpr Data<"triangles", child_count_bits> triangles;     // all ones: it is a record
-constexpr Data<"enters_at", &WalkBits::distance> enters_at;  // where the ray is within it
-constexpr Data<"leaves_at", &WalkBits::distance> leaves_at;
+constexpr Data<"near_0", box_bits> near_0;
+constexpr Data<"far_0", box_bits> far_0;
+constexpr Data<"near_1", box_bits> near_1;
+constexpr Data<"far_1", box_bits> far_1;
+struct TestedBoxes : List<tested, tester, hit_0, hit_1, second_first, near_0, far_0, near_1, far_1> {};
 
 // Words. What a ray's word in `walks` holds:
 constexpr Data<"trail", &WalkBits::levels> trail;
@@ -65,33 +41,33 @@ constexpr Data<"top", &WalkBits::stack> top;          // the next place
 constexpr Data<"steps", step_count_bits> steps;
 struct Walk : List<trail, level, resumed, used, top, steps> {};
 // A child of a record, and where the ray is within it.
-constexpr Data<"child", &WalkBits::address> child;
+constexpr Data<"child", address_bits> child;
 constexpr Data<"count", child_count_bits> count;
-constexpr Data<"near", &WalkBits::distance> near;
-constexpr Data<"far", &WalkBits::distance> far;
+constexpr Data<"near", box_bits> near;
+constexpr Data<"far", box_bits> far;
 struct Entry : List<child, count, near, far> {};
-constexpr Data<"second", &WalkBits::address> second;  // the block of child 1
-struct Children : List<second, count_1, block, count_0> {};
+constexpr Data<"second", address_bits> second;  // the block of child 1
+struct Blocks : List<second, count_1, block, count_0> {};
 struct Box0 : List<second_first, hit_0, near_0, far_0> {};
 struct Box1 : List<hit_1, near_1, far_1> {};
-struct LeafDone : List<leaf_ray, lost, stops, cut> {};
+struct Returned : List<return_ray, return_lost, return_stops, return_cut> {};
 constexpr Data<"was_there"> was_there;  // it is no new ray
-struct Other : List<begun, was_there, length> {};
+struct Other : List<start_ray, was_there, start_cut> {};
 
 using Pairs = IdQueue<"pairs_">;
 using Leaves = IdQueue<"leaves_">;
 using Others = IdQueue<"others_">;
 // Stage 1: a ray that is taken up, and what has happened to it; nothing: the stage is empty.
-constexpr Data<"ray_1", &WalkBits::ray> ray_1;
+constexpr Data<"ray_1", ray_bits> ray_1;
 constexpr Control<"pair_1"> pair_1;
 constexpr Control<"leaf_1"> leaf_1;
 constexpr Control<"fresh_1"> fresh_1;
 constexpr Control<"again_1"> again_1;
 constexpr Data<"stops_1"> stops_1;
 constexpr Data<"lost_1"> lost_1;
-constexpr Data<"cut_1", &WalkBits::distance> cut_1;
+constexpr Data<"cut_1", box_bits> cut_1;
 // Stage 2.
-constexpr Data<"ray_2", &WalkBits::ray> ray_2;
+constexpr Data<"ray_2", ray_bits> ray_2;
 constexpr Control<"there_2"> there_2;
 constexpr Data<"descends_2"> descends_2;
 constexpr Data<"begins_2"> begins_2;
@@ -106,41 +82,38 @@ constexpr Data<"resumed_2", &WalkBits::level> resumed_2;
 constexpr Data<"used_2", &WalkBits::used> used_2;
 constexpr Data<"top_2", &WalkBits::stack> top_2;
 constexpr Data<"steps_2", step_count_bits> steps_2;
-constexpr Data<"cut_2", &WalkBits::distance> cut_2;
+constexpr Data<"cut_2", box_bits> cut_2;
 constexpr Data<"entry_2", record_width<Entry>> entry_2;
 // What leaves.
-constexpr Data<"ray_3", &WalkBits::ray> ray_3;
+constexpr Data<"ray_3", ray_bits> ray_3;
 constexpr Control<"goes_3"> goes_3;
 constexpr Control<"ended_3"> ended_3;
 constexpr Data<"failed_3"> failed_3;
 constexpr Control<"again_3"> again_3;
-constexpr Data<"block_3", &WalkBits::address> block_3;
+constexpr Data<"block_3", address_bits> block_3;
 constexpr Data<"count_3", child_count_bits> count_3;
-constexpr Data<"near_3", &WalkBits::distance> near_3;
-constexpr Data<"far_3", &WalkBits::distance> far_3;
+constexpr Data<"near_3", box_bits> near_3;
+constexpr Data<"far_3", box_bits> far_3;
 
-constexpr Block<"pair_rays", &WalkBits::rays, &WalkBits::ray> pair_rays;  // the queues
-constexpr BlockOf<"leaf_rays", &WalkBits::rays, LeafDone> leaf_rays;
+constexpr Block<"pair_rays", &WalkBits::rays, ray_bits> pair_rays;  // the queues
+constexpr BlockOf<"leaf_rays", &WalkBits::rays, Returned> leaf_rays;
 constexpr BlockOf<"other_rays", &WalkBits::rays, Other> other_rays;
 constexpr BlockOf<"boxes_0", &WalkBits::rays, Box0>
     boxes_0;  // by ray: what the boxes of its record are to it
 constexpr BlockOf<"boxes_1", &WalkBits::rays, Box1> boxes_1;
-constexpr BlockOf<"children", &WalkBits::rays, Children> children;  // by ray: where they are
-constexpr BlockOf<"walks", &WalkBits::rays, Walk> walks;            // by ray
-constexpr Block<"cuts", &WalkBits::rays, &WalkBits::distance> cuts;
+constexpr BlockOf<"children", &WalkBits::rays, Blocks> children;  // by ray: where they are
+constexpr BlockOf<"walks", &WalkBits::rays, Walk> walks;          // by ray
+constexpr Block<"cuts", &WalkBits::rays, box_bits> cuts;
 constexpr BlockOf<"stacks", &WalkBits::stacks, Entry> stacks;  // by ray and place
 
 struct Walker {
   static constexpr const char* name = "walker";
   static constexpr const char* summary = "walks of rays through boxes: trail, short stack, restart";
-  static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = WalkBits;
   using BuiltIn = FormatList<Fixed<WalkBits{20, 24, 60, 3, 5}>, Fixed<WalkBits{20, 24, 60, 3, 7}>>;
-  struct In : List<begins, begun, length, reads, read_ray, block, count_0, count_1, tested, ray, hit_0, hit_1,
-                   second_first, near_0, far_0, near_1, far_1, leaf, leaf_ray, cut, stops, lost, most_steps> {
-  };
-  struct Out : List<takes, goes, ended, failed, of, wanted, triangles, enters_at, leaves_at> {};
+  struct In : Join<Starts, Begins, Children, TestedBoxes, Returns, List<most_steps>> {};
+  struct Out : Join<Starts::Back, Goes, WalkInterval, Ended> {};
   struct State : Join<Pairs::State, Leaves::State, Others::State,
                       List<ray_1, pair_1, leaf_1, fresh_1, again_1, stops_1, lost_1, cut_1>,
                       List<ray_2, there_2, descends_2, begins_2, pops_2, ends_2, lost_2, some_2, trail_2,
@@ -150,11 +123,11 @@ struct Walker {
 
   template <class D>
   static constexpr void outputs(const auto& /*f*/, const auto& now, const auto& /*memory*/, const auto& out) {
-    out[takes] = ~now[again_3];
+    out[walker_takes] = ~now[again_3];
     out[goes] = now[goes_3];
     out[ended] = now[ended_3];
     out[failed] = now[failed_3];
-    out[of] = now[ray_3];
+    out[walk_ray] = now[ray_3];
     out[wanted] = now[block_3];
     out[triangles] = now[count_3];
     out[enters_at] = now[near_3];
@@ -180,9 +153,9 @@ struct Walker {
     const Bit record = as("first_is_record", is<D>(in[count_0], record_count));
     const auto blocks = as("first_blocks", select(record, D::lit(1, width_of(in[count_0])), in[count_0]));
     const auto second_block = as("second_block", plus(in[block], blocks));
-    memory[children].write(in[reads], in[read_ray], second_block, in[count_1], in[block], in[count_0]);
-    memory[boxes_0].write(in[tested], in[ray], in[second_first], in[hit_0], in[near_0], in[far_0]);
-    memory[boxes_1].write(in[tested], in[ray], cat(in[hit_1], cat(in[near_1], in[far_1])));
+    memory[children].write(in[begins], in[test_ray], second_block, in[count_1], in[block], in[count_0]);
+    memory[boxes_0].write(in[tested], in[tester], in[second_first], in[hit_0], in[near_0], in[far_0]);
+    memory[boxes_1].write(in[tested], in[tester], cat(in[hit_1], cat(in[near_1], in[far_1])));
   }
 
   /// Stage 0.
@@ -190,12 +163,12 @@ struct Walker {
   static constexpr void take_up(const auto& now, const auto& in, const auto& memory, const auto& next) {
     using Bit = typename D::bit;
     const Bit again = now[again_3];
-    const Bit enters = as("enters", in[begins] | again);
-    memory[pair_rays].write(in[tested], as("pair_place", Pairs::place(now)), in[ray]);
-    memory[leaf_rays].write(in[leaf], as("leaf_place", Leaves::place(now)), in[leaf_ray], in[lost], in[stops],
-                            in[cut]);
+    const Bit enters = as("enters", in[starts] | again);
+    memory[pair_rays].write(in[tested], as("pair_place", Pairs::place(now)), in[tester]);
+    memory[leaf_rays].write(in[returns], as("leaf_place", Leaves::place(now)), in[return_ray],
+                            in[return_lost], in[return_stops], in[return_cut]);
     memory[other_rays].write(enters, as("other_place", Others::place(now)),
-                             cat(select(again, now[ray_3], in[begun]), cat(again, in[length])));
+                             cat(select(again, now[ray_3], in[start_ray]), cat(again, in[start_cut])));
 
     // Leaves come first, because few of them wait.
     const Bit takes_leaf = as("takes_leaf", now[Leaves::there]);
@@ -203,18 +176,19 @@ struct Walker {
     const Bit takes_pair = as("takes_pair", now[Pairs::there] & ~takes_leaf & ~now[Others::there]);
     const auto of_leaf = memory[leaf_rays].word();
     const auto other = memory[other_rays].word();
-    const auto taken = as("taken_ray", select(takes_leaf, of_leaf[leaf_ray],
-                                              select(takes_other, other[begun], memory[pair_rays].word())));
+    const auto taken =
+        as("taken_ray", select(takes_leaf, of_leaf[return_ray],
+                               select(takes_other, other[start_ray], memory[pair_rays].word())));
     next[ray_1] = taken;
     next[pair_1] = takes_pair;
     next[leaf_1] = takes_leaf;
     next[fresh_1] = takes_other & ~Bit(other[was_there]);
     next[again_1] = takes_other & Bit(other[was_there]);
-    next[stops_1] = of_leaf[stops];
-    next[lost_1] = of_leaf[lost];
-    next[cut_1] = select(takes_leaf, of_leaf[cut], other[length]);
+    next[stops_1] = of_leaf[return_stops];
+    next[lost_1] = of_leaf[return_lost];
+    next[cut_1] = select(takes_leaf, of_leaf[return_cut], other[start_cut]);
     memory[pair_rays].ask(Pairs::step<D>(now, next, in[tested], takes_pair));
-    memory[leaf_rays].ask(Leaves::step<D>(now, next, in[leaf], takes_leaf));
+    memory[leaf_rays].ask(Leaves::step<D>(now, next, in[returns], takes_leaf));
     memory[other_rays].ask(Others::step<D>(now, next, enters, takes_other));
     memory[boxes_0].ask(taken);
     memory[boxes_1].ask(taken);

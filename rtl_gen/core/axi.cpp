@@ -18,6 +18,8 @@ namespace hitpipe::rtl {
 
 namespace {
 
+namespace channels = hls::channels;
+
 constexpr int counter_bits = 40;
 
 /// Ports of the core whose name begins so, without its beginning, but valid, ready and tag.
@@ -37,12 +39,6 @@ std::vector<Port> ports_of(const Core& core, std::string_view before) {
     }
   }
   return ports;
-}
-
-int width_of(const Core& core, std::string_view name) {
-  const auto found = std::find_if(core.ports.begin(), core.ports.end(),
-                                  [&](const CorePort& port) { return port.pin.name == name; });
-  return found->pin.width;
 }
 
 /// A machine around the core.
@@ -71,7 +67,7 @@ ModuleInterface interface_of(const Core& core) {
       made.pins.push_back({channel + name, Role::data, channel, is_input, width});
   };
   const int tag = core.options.tag_bits;
-  const std::vector<std::pair<std::string, int>> none, id{{"id", width_of(core, "request_id")}};
+  const std::vector<std::pair<std::string, int>> none, id{{"id", core.pin(channels::request_id).width}};
   const auto& ids = core.options.has_one_id() ? none : id;
   const auto with_ids = [&](std::vector<std::pair<std::string, int>> data) {
     data.insert(data.begin() + 1, ids.begin(), ids.end());
@@ -180,16 +176,18 @@ std::string axi_verilog(const Core& core) {
     wires += fmt::format("  wire {}{};\n", vector_range(width), name);
   };
   for (const Port& port : hit_ports(core)) wire("hit_" + port.name, port.width);
-  for (const char* const name : {"base", "last", "most_steps", "most_rays"}) wire(name, width_of(core, name));
+  const auto join = [&]<auto... Fields>(hls::List<Fields...>) {
+    (wire(Fields.name(), core.pin(Fields).width), ...);
+  };
+  join(channels::Settings::Items());
   std::string instances = connections.instance(core.interface(), "core_i") +
                           connections.instance(registers.interface, "registers_i");
   std::string modules = registers.verilog,
               ready = "  assign m_axi_rready = 1'b1;  // a block is taken at once\n";
   if (options.has_one_id()) {
     const Around beats(core, "beats", hls::BeatBits{options.data_bits, options.ray_bits()});
-    for (const char* const name :
-         {"request_id", "read_valid", "read_id", "read_word_0", "read_word_1", "read_word_2", "read_word_3"})
-      wire(name, width_of(core, name));
+    wire(channels::request_id.name(), core.pin(channels::request_id).width);
+    join(channels::BlockRead::Items());
     instances += connections.instance(beats.interface, "beats_i");
     modules += "\n" + beats.verilog;
     ready.clear();

@@ -114,30 +114,33 @@ class Maker {
     hls::WorldBits tests = bits.world();
     tests.weights = options.weights ? 1 : 0;
     if (options.weights)
-      add_machine(weights_part, hls::WeightBits{tests.determinant(), tests.edge(), t, options.tag_bits, ray});
+      add_machine(pins::weights_part,
+                  hls::WeightBits{tests.determinant(), tests.edge(), t, options.tag_bits, ray});
     add_unit("pair", "int_major_pair", bits.boxes(), 1);
     if (!options.serial()) add_unit("triangle", "int_triangle", tests, options.triangle_interval);
     if (options.door == Door::binary32) add_ray_unit();
 
-    join_all(core_wires);
-    join_operands("pair_feed", "pair");
+    join_all(links::core);
+    join_unit("pair_feed", "pair", {"walker"});
     if (options.serial()) {
-      join_all(serial_triangle_wires);
+      join_all(links::serial_triangle);
     } else {
-      join_all(triangle_unit_wires);
-      join_operands("triangle_feed", "triangle");
+      join_all(links::triangle_unit);
+      join_unit("triangle_feed", "triangle", {"reader", "divider"});
     }
-    if (options.weights)
-      join_all(weight_wires);
-    else
-      join_all(plain_answer_wires);
-    for (CorePin pin : core_pins) {
+    if (options.weights) {
+      join_all(links::answers_with_weights);
+      join_results("triangle", pins::weights_part);
+    } else {
+      join_all(links::plain_answers);
+    }
+    for (CorePin pin : pins::core) {
       if (options.door != Door::integer && pin.name.starts_with("ray_")) continue;
-      if (options.weights && pin.from == "replies") pin.from = weights_part;
+      if (options.weights && pin.from == "replies") pin.from = pins::weights_part;
       add_port(pin);
     }
     if (options.weights)
-      for (const CorePin& pin : weight_pins) add_port(pin);
+      for (const CorePin& pin : pins::weights) add_port(pin);
     for (const CorePart& part : core_.parts)
       for (const Pin& pin : part.interface.pins)
         if (pin.is_input && pin.role != Pin::Role::clock && pin.role != Pin::Role::reset &&
@@ -182,7 +185,7 @@ class Maker {
     }
     unit.interface.pins = std::move(pins);
 
-    join({"door", "ray_ready", "ray", "out_ready"});
+    join({"door", hls::channels::ray_ready.name(), "ray", "out_ready"});
     for (const Pin& pin : unit.interface.pins) {
       if (pin.is_input) continue;
       const auto named = std::find_if(ray_unit_results.begin(), ray_unit_results.end(),
@@ -222,6 +225,11 @@ class Maker {
              return std::any_of(port.ends.begin(), port.ends.end(), ends_there);
            });
   }
+  /// From an output of a part to an input of another one. Both have one width.
+  struct Wire {
+    std::string_view from, output;
+    std::string_view to, input;
+  };
   void join(const Wire& wire) {
     const CoreWire made{place_of(wire.from), pin_place(core_.part(wire.from), wire.output), place_of(wire.to),
                         pin_place(core_.part(wire.to), wire.input)};
@@ -233,12 +241,33 @@ class Maker {
     core_.wires.push_back(made);
   }
 
-  void join_all(std::span<const Wire> wires) {
-    for (const Wire& wire : wires) join(wire);
+  void join_all(std::span<const Link> all) {
+    for (const Link& link : all) {
+      join_fields(link.from, link.given, link.to, link.taken);
+      join_fields(link.to, link.given_back, link.from, link.taken_back);
+    }
   }
-  void join_operands(std::string_view feed, std::string_view unit) {
+  void join_fields(std::string_view from, Link::Names outputs, std::string_view to, Link::Names inputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+      if (find_pin(core_.part(from), outputs[i]) && find_pin(core_.part(to), inputs[i]))
+        join({from, outputs[i], to, inputs[i]});
+  }
+  /// A unit gets its operands from the machine that has outputs with their names.
+  void join_unit(std::string_view feed, std::string_view unit,
+                 std::initializer_list<std::string_view> takers) {
+    using namespace hls::channels;
+    join({feed, begins.name(), unit, "in_valid"});
+    join({feed, test_ray.name(), unit, "in_tag"});
+    if (find_pin(core_.part(unit), "in_ready")) join({unit, "in_ready", feed, unit_takes.name()});
     for (const Port& operand : core_.part(unit).interface.operands())
       join({feed, operand.name, unit, operand.name});
+    for (const std::string_view taker : takers) join_results(unit, taker);
+  }
+  void join_results(std::string_view unit, std::string_view taker) {
+    join({unit, "out_valid", taker, hls::channels::tested.name()});
+    join({unit, "out_tag", taker, hls::channels::tester.name()});
+    for (const Port& result : core_.part(unit).interface.results())
+      if (find_pin(core_.part(taker), result.name)) join({unit, result.name, taker, result.name});
   }
 
   void add_port(const CorePin& of) {
@@ -366,6 +395,20 @@ const CorePart& Core::part(std::string_view name) const {
       std::find_if(parts.begin(), parts.end(), [&](const CorePart& part) { return part.name == name; });
   if (found == parts.end()) throw std::logic_error(fmt::format("core: there is no part {}", name));
   return *found;
+}
+
+const CorePort* Core::port_called(std::string_view name) const {
+  const auto found =
+      std::find_if(ports.begin(), ports.end(), [&](const CorePort& port) { return port.pin.name == name; });
+  return found == ports.end() ? nullptr : &*found;
+}
+
+std::optional<std::size_t> Core::place_called(std::string_view name) const {
+  const CorePort* const found = port_called(name);
+  if (found == nullptr) return std::nullopt;
+  const CorePort* const first = ports.data();
+  return static_cast<std::size_t>(std::count_if(
+      first, found, [&](const CorePort& port) { return port.pin.is_input == found->pin.is_input; }));
 }
 
 ModuleInterface Core::interface() const {

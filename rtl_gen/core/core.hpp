@@ -102,8 +102,22 @@ struct Core {
   std::vector<CorePort> ports;
 
   [[nodiscard]] const CorePart& part(std::string_view name) const;
+  /// The port of a field of hls/machines/channels.hpp. The core must have it.
+  template <class Field>
+  [[nodiscard]] const Pin& pin(Field) const {
+    return port_called(Field::name())->pin;
+  }
+  /// Its place among the inputs, or among the outputs; nothing if the core does not have it.
+  template <class Field>
+  [[nodiscard]] std::optional<std::size_t> place_of(Field) const {
+    return place_called(Field::name());
+  }
   /// clk, rst, and the ports.
   [[nodiscard]] ModuleInterface interface() const;
+
+ private:
+  [[nodiscard]] const CorePort* port_called(std::string_view name) const;
+  [[nodiscard]] std::optional<std::size_t> place_called(std::string_view name) const;
 };
 
 /// Units are scheduled for the clock that is given or that of the slowest machine, or for their own slowest

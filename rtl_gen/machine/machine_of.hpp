@@ -66,7 +66,8 @@ struct WithRecords : M {
                         hls::Next<State<D, F>, Log>(now, state, log));
   }
 };
-/// A memory of a traced machine. Its accesses become inputs and outputs of the graph.
+/// A memory of a traced machine. Its accesses become inputs and outputs of the graph, in whatever order the
+/// machine states them.
 class TracedMemory {
  public:
   void declare(const hls::MemoryShape& shape) {
@@ -79,14 +80,14 @@ class TracedMemory {
     // Outputs and step may both read it, at one place.
     if (read_ != no_node && read_ != place.id())
       throw std::logic_error(fmt::format("{} is read at two places", shape_.name));
-    if (read_ == no_node) output("read", place);
+    if (read_ == no_node) accesses_.push_back({"read", place.id()});
     read_ = place.id();
     return word_;
   }
   template <class Place>
   void ask(const Place& place) {
     assert(shape_.is_late());
-    output("asked", place);
+    accesses_.push_back({"asked", place.id()});
   }
   [[nodiscard]] Trace::uint word([[maybe_unused]] int width) const {
     assert(shape_.is_late() && width == shape_.width);
@@ -94,25 +95,26 @@ class TracedMemory {
   }
   template <class Place, class Written>
   void write(const Trace::bit& enable, const Place& place, const Written& word) {
-    output("writes", enable);
-    output("place", place);
-    output("written", word);
+    accesses_.push_back({"writes", enable.id()});
+    accesses_.push_back({"place", place.id()});
+    accesses_.push_back({"written", word.id()});
   }
   template <class Place, class Written>
   void access(const Trace::bit& writes, const Place& place, const Written& word) {
     assert(shape_.kind == hls::MemoryKind::single);
     write(writes, place, word);
   }
-
- private:
-  template <class X>
-  void output(std::string_view what, const X& x) const {
-    TraceRecorder::graph().output(memory_port(shape_, what), x.id());
+  void add_outputs(Graph& graph) const {
+    for (const std::string_view what : {"read", "asked", "writes", "place", "written"})
+      for (const auto& [name, node] : accesses_)
+        if (name == what) graph.output(memory_port(shape_, what), node);
   }
 
+ private:
   hls::MemoryShape shape_{};
   Trace::uint word_;
   NodeId read_ = no_node;
+  std::vector<std::pair<std::string_view, NodeId>> accesses_;
 };
 
 /// The low bits of a value of the host's domains, and back.
@@ -262,6 +264,9 @@ MachineGraph traced_machine(const typename Machine::Bits& format) {
   detail::WriteCounts given, written;
   const auto out = M::template outputs<Trace>(format, state, memories, given);
   M::template step<Trace>(format, state, in, memories, written);
+  memories.for_each(format, memories, [&](const hls::MemoryShape&, const detail::TracedMemory& memory) {
+    memory.add_outputs(graph);
+  });
   // verify() refuses a name that is given twice, and an output that is not given.
   state.for_each(format, state, [&](const hls::Field& field, const auto& x) {
     const std::string name = std::string("next_") + field.name;

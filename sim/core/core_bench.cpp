@@ -17,17 +17,7 @@ namespace hitpipe::sim {
 namespace {
 
 using rtl::Word;
-
-/// The place of a port among the core's inputs, or among its outputs.
-std::size_t place_of(const rtl::Core& core, std::string_view name) {
-  std::size_t inputs = 0, outputs = 0;
-  for (const rtl::CorePort& port : core.ports) {
-    std::size_t& count = port.pin.is_input ? inputs : outputs;
-    if (port.pin.name == name) return count;
-    ++count;
-  }
-  throw std::logic_error(fmt::format("the core has no port {}", name));
-}
+using namespace hls::channels;
 
 }  // namespace
 
@@ -71,30 +61,6 @@ std::vector<Word> ray_fields(const rtl::Core& core, const CoreJob& job) {
           static_cast<Word>(ray.length)};
 }
 
-CoreBench::Places::Places(const rtl::Core& core)
-    : det_high(core.options.weights ? std::optional(place_of(core, "hit_det_high")) : std::nullopt),
-      ray_valid(place_of(core, "ray_valid")),
-      ray_ready(place_of(core, "ray_ready")),
-      ray_tag(place_of(core, "ray_tag")),
-      ray_any(place_of(core, "ray_any")),
-      hit_valid(place_of(core, "hit_valid")),
-      hit_ready(place_of(core, "hit_ready")),
-      hit_tag(place_of(core, "hit_tag")),
-      hit_failed(place_of(core, "hit_failed")),
-      hit_number(place_of(core, "hit_number")),
-      hit_t(place_of(core, "hit_t")),
-      request_valid(place_of(core, "request_valid")),
-      request_ready(place_of(core, "request_ready")),
-      request_address(place_of(core, "request_address")),
-      request_id(place_of(core, "request_id")),
-      read_valid(place_of(core, "read_valid")),
-      read_id(place_of(core, "read_id")),
-      read_word(place_of(core, "read_word_0")),
-      base(place_of(core, "base")),
-      last(place_of(core, "last")),
-      most_steps(place_of(core, "most_steps")),
-      most_rays(place_of(core, "most_rays")) {}
-
 CoreCounts& CoreCounts::operator+=(const CoreCounts& later) {
   rays += later.rays;
   cycles += later.cycles;
@@ -135,18 +101,18 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
   for (const rtl::CorePort& port : core.ports) {
     (port.pin.is_input ? inputs_ : outputs_).push_back(0);
   }
-  inputs_[at_.base] = options.base;
-  inputs_[at_.last] = image.blocks.size() - 1;
-  inputs_[at_.most_steps] = options.most_steps;
-  inputs_[at_.most_rays] = static_cast<Word>(core.options.rays);
+  inputs_[at_[base]] = options.base;
+  inputs_[at_[last]] = image.blocks.size() - 1;
+  inputs_[at_[most_steps]] = options.most_steps;
+  inputs_[at_[most_rays]] = static_cast<Word>(core.options.rays);
   machine_.outputs(outputs_.data());
   machine_.step(inputs_.data(), true);
 }
 
 void CoreBench::show(const CoreJob& job, std::size_t tag) {
   const std::vector<Word> fields = ray_fields(core_, job);
-  std::copy(fields.begin(), fields.end(), inputs_.begin() + static_cast<std::ptrdiff_t>(at_.ray_any));
-  inputs_[at_.ray_tag] = tag;
+  std::copy(fields.begin(), fields.end(), inputs_.begin() + static_cast<std::ptrdiff_t>(at_[ray_any]));
+  inputs_[at_[ray_tag]] = tag;
 }
 
 void CoreBench::check_alive(bool asks, bool asked, bool answers) {
@@ -162,22 +128,22 @@ void CoreBench::check_alive(bool asks, bool asked, bool answers) {
 }
 
 void CoreBench::take_block() {
-  inputs_[at_.read_valid] = block_ ? 1 : 0;
+  inputs_[at_[read_valid]] = block_ ? 1 : 0;
   if (!block_) return;
-  inputs_[at_.read_id] = block_->tag;
-  inputs_[at_.read_word] = block_->block[0];
-  inputs_[at_.read_word + 1] = block_->block[1];
-  inputs_[at_.read_word + 2] = block_->block[2];
-  inputs_[at_.read_word + 3] = block_->block[3];
+  inputs_[at_[read_id]] = block_->tag;
+  inputs_[at_[read_word_0]] = block_->block[0];
+  inputs_[at_[read_word_1]] = block_->block[1];
+  inputs_[at_[read_word_2]] = block_->block[2];
+  inputs_[at_[read_word_3]] = block_->block[3];
 }
 
 CoreWeights CoreBench::weights() const {
   const hls::WorldBits world = core_.options.bits.world();
-  const auto number = [&](std::size_t high, int width) {
-    const Word* const halves = &outputs_[*at_.det_high + high];
-    return rtl::number_of(halves[0] << (width / 2) | halves[1], width);
+  const auto number = [&](auto halves, int width) {
+    return rtl::number_of(outputs_[at_[halves.high]] << (width / 2) | outputs_[at_[halves.low]], width);
   };
-  return {number(0, world.determinant()), number(2, world.edge()), number(4, world.edge())};
+  return {number(hls::weights::HitDet(), world.determinant()), number(hls::weights::HitU(), world.edge()),
+          number(hls::weights::HitV(), world.edge())};
 }
 
 void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
@@ -202,17 +168,17 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
       show(jobs[next], offered);
     }
     bool accepts = false;
-    inputs_[at_.ray_valid] = offered != nothing ? 1 : 0;
-    if (offered != nothing && out(at_.ray_ready) != 0) {
+    inputs_[at_[ray_valid]] = offered != nothing ? 1 : 0;
+    if (offered != nothing && out(at_[ray_ready]) != 0) {
       in_flight[offered] = next++;
       offered = nothing;
       accepts = true;
       ++counts_.rays;
     }
 
-    const bool asks = out(at_.request_valid) != 0;
+    const bool asks = out(at_[request_valid]) != 0;
     const bool ready = memory_.ready();
-    inputs_[at_.request_ready] = ready ? 1 : 0;
+    inputs_[at_[request_ready]] = ready ? 1 : 0;
     if (asks) {
       counts_.refused += ready ? 0 : 1;
     } else {
@@ -222,8 +188,8 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
       counts_.inside += static_cast<double>(flying - reading) / room;
     }
     if (asks && ready) {
-      const auto block = static_cast<std::uint64_t>(out(at_.request_address) / ref::core_block_bytes);
-      const auto id = static_cast<std::uint32_t>(out(at_.request_id));
+      const auto block = static_cast<std::uint64_t>(out(at_[request_address]) / ref::core_block_bytes);
+      const auto id = static_cast<std::uint32_t>(out(at_[request_id]));
       // Addresses go round at their last bit.
       memory_.ask(static_cast<std::uint32_t>((block - options_.base) & block_mask), id);
       ++reading;
@@ -233,18 +199,18 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
 
     const bool takes =
         options_.held_percent == 0 || random_.below(100) >= static_cast<std::uint64_t>(options_.held_percent);
-    inputs_[at_.hit_ready] = takes ? 1 : 0;
-    check_alive(asks, asks && ready, out(at_.hit_valid) != 0);
-    if (takes && out(at_.hit_valid) != 0) {
-      const auto tag = static_cast<std::size_t>(out(at_.hit_tag));
+    inputs_[at_[Hits::ready]] = takes ? 1 : 0;
+    check_alive(asks, asks && ready, out(at_[Hits::valid]) != 0);
+    if (takes && out(at_[Hits::valid]) != 0) {
+      const auto tag = static_cast<std::size_t>(out(at_[Hits::tag]));
       if (tag >= in_flight.size() || in_flight[tag] == nothing)
         throw std::logic_error(
             fmt::format("the core answers a ray with the tag {}, which it does not have", tag));
       CoreAnswer& answer = answers[in_flight[tag]];
-      answer = {.hit = {.triangle = static_cast<std::uint32_t>(out(at_.hit_number)),
-                        .t = static_cast<std::int64_t>(out(at_.hit_t))},
-                .failed = out(at_.hit_failed) != 0};
-      if (at_.det_high) answer.weights = weights();
+      answer = {.hit = {.triangle = static_cast<std::uint32_t>(out(at_[Hits::number])),
+                        .t = static_cast<std::int64_t>(out(at_[Hits::t]))},
+                .failed = out(at_[Hits::failed]) != 0};
+      if (core_.options.weights) answer.weights = weights();
       counts_.failed += answer.failed ? 1 : 0;
       in_flight[tag] = nothing;
       --flying;

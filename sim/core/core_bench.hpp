@@ -2,12 +2,15 @@
 // is software (native_core.hpp) or Verilog; both give the same in every cycle.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "hls/machines/channels.hpp"
+#include "hls/machines/weights.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "rtl_gen/machine/machine.hpp"
 #include "sim/core/memory_model.hpp"
@@ -86,13 +89,33 @@ class CoreBench {
   MemoryModel memory_;
   std::uint64_t most_still_, most_blocks_;  ///< cycles without a request, and blocks, between two answers
   std::uint64_t still_ = 0, blocks_ = 0;
-  /// Places of ports among the inputs or the outputs.
-  struct Places {
-    explicit Places(const rtl::Core& core);
-    std::optional<std::size_t> det_high;  ///< the first of six ports
-    std::size_t ray_valid, ray_ready, ray_tag, ray_any, hit_valid, hit_ready, hit_tag, hit_failed, hit_number,
-        hit_t, request_valid, request_ready, request_address, request_id, read_valid, read_id, read_word,
-        base, last, most_steps, most_rays;
+  /// The place of each port among the inputs or the outputs.
+  class Places {
+   public:
+    using Fields = hls::Join<hls::List<hls::channels::ray_valid, hls::channels::ray_ready,
+                                       hls::channels::ray_tag, hls::channels::ray_any>,
+                             hls::channels::Hits, hls::channels::Hits::Back, hls::channels::Request,
+                             hls::channels::Request::Back, hls::channels::BlockRead, hls::channels::Settings,
+                             hls::weights::HitWeights>;
+    explicit Places(const rtl::Core& core) : Places(core, Fields()) {}
+    template <class Field>
+    std::size_t operator[](Field) const {
+      return places_[place_in<Field>(Fields())];
+    }
+
+   private:
+    static constexpr std::size_t none = ~std::size_t{0};  ///< the core does not have it
+    template <auto... F>
+    Places(const rtl::Core& core, hls::List<F...>) : places_{core.place_of(F).value_or(none)...} {}
+    template <class Field, auto... F>
+    static constexpr std::size_t place_in(hls::List<F...>) {
+      static_assert((std::is_same_v<std::remove_const_t<decltype(F)>, Field> || ...));
+      std::size_t place = 0;
+      static_cast<void>(
+          ((std::is_same_v<std::remove_const_t<decltype(F)>, Field> || (++place, false)) || ...));
+      return place;
+    }
+    std::array<std::size_t, Fields::count> places_;
   };
   Places at_;
   ref::adversary::Random random_;

@@ -79,6 +79,7 @@ machine beats d512i1 'a block a request, in order, its half' 's/askers_word\[2\]
 machine divider 8+0s8i1 'each hit is compared once' 's/wire loads = .*;/wire loads = there \& ~divides;/'
 machine best_hits t4c1d4i1 'an answer is the best of its hits' 's/improves = divided_1 & closer_1/improves = divided_1/'
 machine weights d25e25t4g1i1 'an answer has its best hit' 's/best_det\[ray_wanted\]/best_det[ray]/'
+machine read_meter i1c3n3 'a read as long as it took' 's/came <= read_valid/came <= read_valid | came/'
 machine pair_feed 8+0/4a4i1 'a record once, with its ray' 's/intervals\[read_id\[0\]\]/intervals[ray_1]/'
 machine triangle_feed 8+0s8i1 'a triangle once, with its ray' \
   's/next_ready_value = there & ~taken/next_ready_value = there/'

@@ -6,7 +6,7 @@
   // Each word of the oldest block that has come; after the last one it is the block's.
   reg [63:0] own [0:3];
   wire [63:0] words [0:3];
-  assign words[0] = word_0_1, words[1] = word_1_1, words[2] = word_2_1, words[3] = word_3_1;
+  assign words[0] = read_word_0_1, words[1] = read_word_1_1, words[2] = read_word_2_1, words[3] = read_word_3_1;
   always @(posedge clk) if (beat_valid & beat_ready) own[came] <= beat_0;
   // The words that have come are the upper ones.
   integer w;

@@ -2,15 +2,15 @@
   reg waits, waits_ray;
   reg [3:0] waits_length;
   wire taken = new_ray & takes;
-  wire handed = begins & walker_takes;
+  wire handed = starts & walker_takes;
   always @(posedge clk) begin
     if (rst) waits <= 1'b0;
     else waits <= taken | (waits & ~handed);
     if (taken) {waits_ray, waits_length} <= {begun, length};
   end
   always @(posedge clk) if (was_reset & ~rst) begin
-    assert (begins == waits);
-    assert (!begins || {begin_ray, begin_cut} == {waits_ray, 1'b0, waits_length[3:1]});
+    assert (starts == waits);
+    assert (!starts || {start_ray, start_cut} == {waits_ray, 1'b0, waits_length[3:1]});
     // One waits at most, and a new one is refused only then or after a comparison.
     assert (takes == ~(waits | divided));
   end
@@ -23,8 +23,8 @@
   wire begins_one = taken & begun == one;
   wire reads_one = reads & read_ray == one;
   wire done_one = done & asked == one;
-  wire leaf_one = leaf & leaf_ray == one;
-  wire ends_one = ended & ender == one;
+  wire leaf_one = leaf_done & leaf_ray == one;
+  wire ends_one = ended & walk_ray == one;
   always @(posedge clk) begin
     if (rst) at <= NOWHERE;
     else if (begins_one) at <= NEW;
@@ -72,18 +72,18 @@
   reg [2:0] said_before;
   reg closer_one, leaf_of_one;
   always @(posedge clk) begin
-    {done_before, leaf_before, ended_before} <= {done & ~rst, leaf & ~rst, ended & ~rst};
-    of_before <= {asked, leaf_ray, ender};
-    said_before <= {stops, lost, failed};
+    {done_before, leaf_before, ended_before} <= {done & ~rst, leaf_done & ~rst, ended & ~rst};
+    of_before <= {asked, leaf_ray, walk_ray};
+    said_before <= {leaf_stops, leaf_lost, failed};
     closer_one <= done_one & hit < least;
     leaf_of_one <= leaf_one & ~rst;
   end
 
   wire here = at != NOWHERE;
   always @(posedge clk) if (was_reset & ~rst) begin
-    assert ({divided, leaf_done, answers} == {done_before, leaf_before, ended_before});
-    assert ({divided_ray, leaf_done_ray, answered} == of_before[2:0]);
-    assert ({leaf_done_stops, leaf_done_lost, answer_failed} == said_before);
+    assert ({divided, returns, answers} == {done_before, leaf_before, ended_before});
+    assert ({divided_ray, return_ray, answered} == of_before[2:0]);
+    assert ({return_stops, return_lost, answer_failed} == said_before);
     // Where the ray is, and what is kept of it.
     assert ((at == NEW) == (waits & waits_ray == one));
     assert ((at == COMPARED) == (divided & divided_ray == one));
@@ -103,7 +103,7 @@
     // The best never grows, and the answer and the length after a leaf are the best.
     assert (!here || at == NEW || least <= least_before);
     assert (at != ANSWERED || {answer_t, answer_number} == least);
-    assert (!leaf_of_one || leaf_done_cut == {1'b0, least[35:33]});
+    assert (!leaf_of_one || return_cut == {1'b0, least[35:33]});
     cover (at == ANSWERED && least[31:0] != 32'hffffffff);
     cover (at == COMPARED && !closer_one && least[31:0] != 32'hffffffff);
   end

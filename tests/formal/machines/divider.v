@@ -4,11 +4,11 @@
   always @(posedge clk) begin
     if (rst) dividing <= 2'd0;
     else begin
-      if (enters_now) dividing[ray] <= 1'b1;
+      if (enters_now) dividing[tester] <= 1'b1;
       if (done) dividing[asked] <= 1'b0;
     end
   end
-  always @* if (enters_now) assume (!dividing[ray]);
+  always @* if (enters_now) assume (!dividing[tester]);
 
   // The divided one stays in the queue until it is compared.
   wire first_is_used = used == 2'd2 | (used == 2'd1 & oldest == 1'b0);
@@ -24,7 +24,7 @@
   always @(posedge clk) begin
     last_asked <= asked;
     asked_before <= last_asked;
-    shown_number <= number;
+    shown_number <= asked_number;
     shown_best_number <= best_number;
     shown_best <= best;
   end

@@ -8,15 +8,15 @@
       flying <= flying & ~ends;
       if (ray_valid & ray_ready) flying[begun_at] <= 1'b1;
       if (comes) waits[read_id[0]] <= 1'b0;
-      if (go) waits[goer] <= 1'b1;
+      if (goes) waits[walk_ray] <= 1'b1;
     end
   end
   // A number in flight does not begin again. A ray in flight goes on, and a record comes for a ray that waits.
   always @* begin
     if (ray_valid & ray_ready) assume (!flying[begun_at]);
-    if (go) assume (flying[goer] && !(comes && read_id[0] == goer));
+    if (goes) assume (flying[walk_ray] && !(comes && read_id[0] == walk_ray));
     if (comes) assume (waits[read_id[0]]);
-    assume ((ends & waits) == 2'd0 && !(go && ends[goer]));
+    assume ((ends & waits) == 2'd0 && !(goes && ends[walk_ray]));
   end
 
   // Any ray, and the words that it was given: the unit's origin, the rest, and where it is in its record.
@@ -32,7 +32,7 @@
       our_rest <= {ray_major_y, ray_major_z, ray_back_m, ray_back_a, ray_back_b,
                    ray_floor_a, ray_ceil_a, ray_exp_a, ray_floor_b, ray_ceil_b, ray_exp_b};
     end
-    if (go & goer == our) our_interval <= {enters_at, leaves_at};
+    if (goes & walk_ray == our) our_interval <= {enters_at, leaves_at};
   end
 
   // The record that came in the last cycle, and its ray's words then.

@@ -3,22 +3,22 @@
   always @(posedge clk) begin
     if (rst) {walking, testing, comparing} <= 12'hf00;
     else begin
-      if (go) walking[goer] <= 1'b0;
+      if (goes) walking[walk_ray] <= 1'b0;
       if (asks & granted & triangle) testing[asker] <= 1'b1;
       if (asks & granted & ~triangle) walking[asker] <= 1'b1;
       if (tested) testing[tester] <= 1'b0;
       if (tested & hit) comparing[tester] <= 1'b1;
-      if (divides) comparing[divided_ray] <= 1'b0;
-      if (done) walking[of] <= 1'b1;
+      if (divided) comparing[divided_ray] <= 1'b0;
+      if (leaf_done) walking[leaf_ray] <= 1'b1;
     end
   end
   // What comes in is of a ray that is there. A leaf has a triangle. The image stays while a ray is in flight.
   reg [3:0] last_before;
   always @(posedge clk) last_before <= last;
   always @* begin
-    if (go) assume (walking[goer] && triangles != 8'd0);
+    if (goes) assume (walking[walk_ray] && triangles != 8'd0);
     if (tested) assume (testing[tester]);
-    if (divides) assume (comparing[divided_ray]);
+    if (divided) assume (comparing[divided_ray]);
     if (walking != 4'hf) assume (last == last_before);
   end
 
@@ -55,7 +55,7 @@
     assert (!goes_there || (goes_used != 3'd0 && go_words_word == go_words[goes_oldest]));
     assert (!missed_there || (missed_used != 3'd0 && missed_rays_word == missed_rays[missed_oldest]));
     assert (!divided_there || (divided_used != 3'd0 && divided_rays_word == divided_rays[divided_oldest]));
-    cover (lost && triangle && !stops_1);
+    cover (leaf_lost && triangle && !stops_1);
     cover (goes_used == 3'd4);
   end
 
@@ -65,10 +65,10 @@
   reg [4:0] next_block;
   reg [7:0] left;
   always @(posedge clk) begin
-    if (go & goer == one)
-      {is_record, stops_here, next_block, left} <= {triangles == 8'hff, 2'd0, block, triangles};
+    if (goes & walk_ray == one)
+      {is_record, stops_here, next_block, left} <= {triangles == 8'hff, 2'd0, wanted, triangles};
     else if (asks & granted & asker == one) {next_block, left} <= {next_block + 5'd1, left - 8'd1};
-    if (divides & divided_ray == one) stops_here <= stops;
+    if (divided & divided_ray == one) stops_here <= divided_stops;
   end
 
   // A leaf's word is of the triangle that comes next. Before the first is asked for, it is of the second.
@@ -95,13 +95,13 @@
     assert (!in_stage[one] || !settled_1 || leaves_word == leaves[one]);
     // A block that is asked for is the next one, and in the image. So triangles come in turn, each once.
     if (asks && asker == one) begin
-      assert (triangle == !is_record && wanted == next_block && wanted <= last);
+      assert (triangle == !is_record && asked_block == next_block && asked_block <= last);
       assert (left != 8'd0 && !stops_here);
     end
     // A ray is done when no triangle is left, when its hit said so, or when the next block is not in the image.
-    if (done && of == one) begin
-      assert (stopped == (lost | stops_here));
-      assert (stopped || left == 8'd0);
-      assert (!lost || (next_block > last && left != 8'd0 && !stops_here));
+    if (leaf_done && leaf_ray == one) begin
+      assert (leaf_stops == (leaf_lost | stops_here));
+      assert (leaf_stops || left == 8'd0);
+      assert (!leaf_lost || (next_block > last && left != 8'd0 && !stops_here));
     end
   end

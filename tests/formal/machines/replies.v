@@ -10,7 +10,7 @@
         tag_of[begun_at] <= ray_tag;
         error_of[begun_at] <= ray_error;
       end
-      if (answer) answered_rays[answered] <= 1'b1;
+      if (answers) answered_rays[answered] <= 1'b1;
       if (freed) begin
         flying[freed_ray] <= 1'b0;
         answered_rays[freed_ray] <= 1'b0;
@@ -20,7 +20,7 @@
   // A number in flight does not begin again, and a ray is answered once.
   always @* begin
     if (ray_valid & ray_ready) assume (!flying[begun_at]);
-    if (answer) assume (flying[answered] && !answered_rays[answered]);
+    if (answers) assume (flying[answered] && !answered_rays[answered]);
   end
 
   wire [0:0] first_ray = waiting[0][37:37], second_ray = waiting[1][37:37];
@@ -43,7 +43,7 @@
     assert (!flying[1] || tags[1] == {error_of[1], tag_of[1]});
     // An answer has its ray's tag, and has failed if this was no ray.
     assert (!hit_valid || hit_tag == tag_of[ray_1]);
-    assert (!hit_valid || hit_failed == (failed_1 | error_of[ray_1]));
+    assert (!hit_valid || hit_failed == (hit_failed_1 | error_of[ray_1]));
     cover (hit_valid && used == 2'd1);
     cover (answered_rays == 2'd3);
   end

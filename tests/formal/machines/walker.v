@@ -3,15 +3,15 @@
   always @(posedge clk) begin
     if (rst) {nowhere, wants, knows, at_leaf} <= 8'hc0;
     else begin
-      if (begins & takes) nowhere[begun] <= 1'b0;
-      if (reads) wants[read_ray] <= 1'b0;
-      if (reads) knows[read_ray] <= 1'b1;
-      if (tested) knows[ray] <= 1'b0;
-      if (leaf) wants[leaf_ray] <= 1'b0;
-      if (leaf) at_leaf[leaf_ray] <= 1'b0;
-      if (goes & triangles == 8'hff) wants[of] <= 1'b1;
-      if (goes & triangles != 8'hff) at_leaf[of] <= 1'b1;
-      if (ended) nowhere[of] <= 1'b1;
+      if (starts & walker_takes) nowhere[start_ray] <= 1'b0;
+      if (begins) wants[test_ray] <= 1'b0;
+      if (begins) knows[test_ray] <= 1'b1;
+      if (tested) knows[tester] <= 1'b0;
+      if (returns) wants[return_ray] <= 1'b0;
+      if (returns) at_leaf[return_ray] <= 1'b0;
+      if (goes & triangles == 8'hff) wants[walk_ray] <= 1'b1;
+      if (goes & triangles != 8'hff) at_leaf[walk_ray] <= 1'b1;
+      if (ended) nowhere[walk_ray] <= 1'b1;
     end
   end
   // What comes in is of a ray that waits for it. A record that is not in the image stops its ray, as a leaf can. The
@@ -19,11 +19,11 @@
   reg [19:0] most_before;
   always @(posedge clk) most_before <= most_steps;
   always @* begin
-    if (begins & takes) assume (nowhere[begun]);
-    if (reads) assume (wants[read_ray]);
-    if (tested) assume (knows[ray] || (reads && read_ray == ray));
-    if (leaf) assume (at_leaf[leaf_ray] || (wants[leaf_ray] && stops && !(reads && read_ray == leaf_ray)));
-    if (leaf & lost) assume (stops);
+    if (starts & walker_takes) assume (nowhere[start_ray]);
+    if (begins) assume (wants[test_ray]);
+    if (tested) assume (knows[tester] || (begins && test_ray == tester));
+    if (returns) assume (at_leaf[return_ray] || (wants[return_ray] && return_stops && !(begins && test_ray == return_ray)));
+    if (returns & return_lost) assume (return_stops);
     if (nowhere != 2'd3) assume (most_steps == most_before);
   end
 
@@ -123,21 +123,21 @@
   always @(posedge clk) begin
     if (rst) came <= NONE;
     else begin
-      if (begins & takes & begun == our) came <= FRESH;
-      if (tested & ray == our) came <= PAIR;
-      if (leaf & leaf_ray == our) came <= LEAF;
+      if (starts & walker_takes & start_ray == our) came <= FRESH;
+      if (tested & tester == our) came <= PAIR;
+      if (returns & return_ray == our) came <= LEAF;
       if (goes_on) came <= on & too_far ? AGAIN : NONE;
     end
-    if (begins & takes & begun == our) came_cut <= length;
-    if (reads & read_ray == our) begin
+    if (starts & walker_takes & start_ray == our) came_cut <= start_cut;
+    if (begins & test_ray == our) begin
       child_of_0 <= {block, count_0};
       child_of_1 <= {block + (count_0 == 8'hff ? 4'd1 : count_0[3:0]), count_1};
     end
-    if (tested & ray == our) begin
+    if (tested & tester == our) begin
       {nearer_1, met_0, met_1} <= {second_first, hit_0, hit_1};
       {range_0, range_1} <= {near_0, far_0, near_1, far_1};
     end
-    if (leaf & leaf_ray == our) {came_lost, came_stops, came_cut} <= {lost, stops, cut};
+    if (returns & return_ray == our) {came_lost, came_stops, came_cut} <= {return_lost, return_stops, return_cut};
     if (goes_on) begin
       trail <= trail_then;
       at <= from_top ? 3'd3 : from_level - to_record;
@@ -256,8 +256,8 @@
   reg our_entered;
   always @(posedge clk) begin
     waited <= ~rst & queued ? waited + 2'd1 : 2'd0;
-    entered <= {enters & ~rst, leaf & ~rst, tested & ~rst};
-    our_entered <= (enters & walker_mux == our) | (leaf & leaf_ray == our) | (tested & ray == our);
+    entered <= {enters & ~rst, returns & ~rst, tested & ~rst};
+    our_entered <= (enters & walker_mux == our) | (returns & return_ray == our) | (tested & tester == our);
     if (was_reset & ~rst) begin
       assert (pairs_there == (pairs_used > entered[0]));
       assert (leaves_there == (leaves_used > entered[1]));

@@ -1,5 +1,5 @@
   // An answer leaves `replies` when it is taken, and in the next cycle its ray is said.
-  wire taken = answer & takes;
+  wire taken = reply_valid & reply_ready;
   wire leaves = hit_valid & hit_ready;
   reg took, here;
   reg [37:0] answer_words;
@@ -12,15 +12,15 @@
       here <= taken | (here & ~leaves);
     end
     if (taken) begin
-      answer_words <= {answer_tag, answer_failed, answer_number, answer_t};
+      answer_words <= {reply_tag, reply_failed, reply_number, reply_t};
       took_ray <= owner;
     end
   end
-  always @* assume (left == took && (!left || left_ray == took_ray));
+  always @* assume (reply_freed == took && (!reply_freed || reply_freed_ray == took_ray));
 
   // Any ray: the numbers of its last hit, and of its best one.
   (* anyconst *) reg one;
-  wire tests_one = tested & test_hit & tester == one;
+  wire tests_one = tested & hit & tester == one;
   wire done_one = done & asked == one;
   reg [74:0] last_one, best_one;
   reg has_last, has_best, asked_before, tests_before;
@@ -44,7 +44,7 @@
 
   always @(posedge clk) if (was_reset & ~rst) begin
     // One answer at a time: it is taken only when the one before has left, and it stays until it is taken.
-    assert (takes == ~here);
+    assert (reply_ready == ~here);
     assert (has == here && hit_valid == (here & ~took));
     assert (!here || {hit_tag, hit_failed, hit_number, hit_t} == answer_words);
     assert (!hit_valid || ray == took_ray);

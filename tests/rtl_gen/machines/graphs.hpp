@@ -8,10 +8,12 @@
 
 namespace hitpipe::rtl {
 
-inline std::string machine_graphs() {
+/// Canonical graphs do not say in which order the C++ computes.
+inline std::string machine_graphs(bool are_canonical) {
   std::string text;
   for (const Machine& machine : machines()) {
-    const std::string graph = to_text(canonical(machine.graph(machine.default_format).graph));
+    const Graph traced = machine.graph(machine.default_format).graph;
+    const std::string graph = to_text(are_canonical ? canonical(traced) : traced);
     for (std::size_t at = 0; at < graph.size();) {
       const std::size_t end = graph.find('\n', at);
       const std::string line = graph.substr(at, end - at);

@@ -13,7 +13,11 @@ namespace {
 TEST(MachineOrder, ReversedStatementsGiveTheSameGraphs) {
   const ToolResult reversed = run_tool(".", "hitpipe", HITPIPE_REVERSED_MACHINES, "");
   ASSERT_EQ(reversed.status, 0) << reversed.output;
-  EXPECT_TRUE(reversed.output == machine_graphs()) << reversed.output;
+  EXPECT_TRUE(reversed.output == machine_graphs(true)) << reversed.output;
+  // The reversed program has machines of its own.
+  const ToolResult traced = run_tool(".", "hitpipe", HITPIPE_REVERSED_MACHINES, "traced");
+  ASSERT_EQ(traced.status, 0) << traced.output;
+  EXPECT_FALSE(traced.output == machine_graphs(false));
 }
 
 TEST(MachineOrder, StatementsOfEveryMachineAreReversed) {

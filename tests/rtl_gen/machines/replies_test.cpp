@@ -38,14 +38,14 @@ class Rays {
 
     machine_.in.scramble(random_);
     machine_.in["ray_ready"] = !idle_.empty() && of_eight(traffic.begins);
-    machine_.in["answer"] = !begun_.empty() && of_eight(traffic.answers);
+    machine_.in["answers"] = !begun_.empty() && of_eight(traffic.answers);
     machine_.in["hit_ready"] = of_eight(traffic.takes);
     if (machine_.out["hit_valid"] != 0 && machine_.in["hit_ready"] != 0) {
       left_.push_back(waiting_.front().ray);
       waiting_.pop_front();
       ++answers_left_;
     }
-    if (machine_.in["answer"] != 0) answer();
+    if (machine_.in["answers"] != 0) answer();
     if (machine_.in["ray_ready"] != 0) begin();
     machine_.step();
     ++cycle_;

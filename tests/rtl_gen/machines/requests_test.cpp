@@ -48,7 +48,7 @@ class Asker {
  private:
   /// Addresses wrap, as those of an image that ends at the last address.
   [[nodiscard]] Request asked() const {
-    const Word block = (base_ + machine_.in["wanted"]) & ones_below(bits_.bytes - 5);
+    const Word block = (base_ + machine_.in["asked_block"]) & ones_below(bits_.bytes - 5);
     return {block * 32, machine_.in["triangle"] << bits_.ray | machine_.in["asker"]};
   }
 

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Copies hls/machines with the statements of each block that write the next state, or an output, at its end
-and in reverse order. In the form of machines that changes nothing.
+"""Copies hls/machines with the statements of each block that write the next state, an output or a memory, or
+ask a memory, at its end and in reverse order. In the form of machines that changes nothing.
   reverse_statements.py SOURCE FOLDER
 FOLDER/moved.txt says how many statements of each file have another place."""
 import pathlib
 import re
 import sys
 
-WRITE = re.compile(r"(next|out)(\[|\.where\()")
+WRITE = re.compile(r"(next|out)(\[|\.where\(|\.hold\()|out\.(copy|from_held)\(|memory\[\w+\]\.(write|ask|access)\(")
 
 
 def statements(text):

@@ -157,12 +157,13 @@ TEST_P(DamagedCoreBoard, IsSeen) {
   SKIP_WITHOUT_PSEUDO_TERMINAL();
   EXPECT_GT(trace({.good = GetParam().good, .bad = GetParam().bad}).wrong, 0U);
 }
-INSTANTIATE_TEST_SUITE_P(
-    Faults, DamagedCoreBoard,
-    testing::Values(Fault{"NumberOfAnother", "hit_number, hit_failed}", "hit_number ^ 32'd1, hit_failed}"},
-                    Fault{"WordOfAnother", "assign read_word_1 = word_1_1", "assign read_word_1 = word_0_1"},
-                    Fault{"ShortImage", "last <= operands", "last <= 10'd3 & operands"}),
-    [](const testing::TestParamInfo<Fault>& each) { return each.param.name; });
+INSTANTIATE_TEST_SUITE_P(Faults, DamagedCoreBoard,
+                         testing::Values(Fault{"NumberOfAnother", "hit_number, hit_failed}",
+                                               "hit_number ^ 32'd1, hit_failed}"},
+                                         Fault{"WordOfAnother", "assign read_word_1 = read_word_1_1",
+                                               "assign read_word_1 = read_word_0_1"},
+                                         Fault{"ShortImage", "last <= operands", "last <= 10'd3 & operands"}),
+                         [](const testing::TestParamInfo<Fault>& each) { return each.param.name; });
 
 TEST(CoreLink, OtherCoreIsRefused) {
   SKIP_WITHOUT_PSEUDO_TERMINAL();

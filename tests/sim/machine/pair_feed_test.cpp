@@ -32,7 +32,7 @@ class PairFeed {
     expected_.reset();
 
     feed_.in.scramble(random_);
-    for (const char* name : {"ray_valid", "go", "read_valid"}) feed_.in[name] = 0;
+    for (const char* name : {"ray_valid", "goes", "read_valid"}) feed_.in[name] = 0;
     // One ray does one thing in a cycle, as in the core.
     const std::size_t first = any(), second = any(), third = any();
     read(first);
@@ -73,8 +73,8 @@ class PairFeed {
   void go(std::size_t place) {
     Ray& ray = rays_[place];
     if (!ray.ray || ray.waits) return;
-    feed_.in["go"] = 1;
-    feed_.in["goer"] = place;
+    feed_.in["goes"] = 1;
+    feed_.in["walk_ray"] = place;
     ray.near = feed_.in["enters_at"];
     ray.far = feed_.in["leaves_at"];
     ray.waits = true;

@@ -114,7 +114,7 @@ class Driver {
       machine_.outputs(out_.data());
       machine_.step(in_.data(), cycle_ == 0);
       if (cycle_ == 0) continue;
-      if (offers && out_["takes"] != 0) {
+      if (offers && out_["walker_takes"] != 0) {
         InFlight& ray = rays_[fresh];
         ray = {std::move(next_),
                TrailWalk({PairChild::branch, 0}, length_, bits_.places()),
@@ -137,9 +137,9 @@ class Driver {
       next_ = std::make_unique<Placed>(grower_.tree(), random_);
       length_ = random_() % 2 == 0 ? grower_.within(0, 1'000'000) : 2'000'000;
     }
-    in_["begins"] = 1;
-    in_["begun"] = ray;
-    in_["length"] = static_cast<Word>(length_);
+    in_["starts"] = 1;
+    in_["start_ray"] = ray;
+    in_["start_cut"] = static_cast<Word>(length_);
   }
 
   void give_answers() {
@@ -166,8 +166,8 @@ class Driver {
   void read(std::size_t i, const InFlight& ray) {
     const Placed& placed = *ray.placed;
     const std::size_t box = placed.box_at(ray.walk->at().first);
-    in_["reads"] = 1;
-    in_["read_ray"] = i;
+    in_["begins"] = 1;
+    in_["test_ray"] = i;
     in_["block"] = placed.pointers[box];
     const auto count = [&](int child) -> Word {
       if (child < 0) return 0;
@@ -184,7 +184,7 @@ class Driver {
     std::array<PairChild, 2> children;
     std::array<std::int64_t, 2> near{};
     in_["tested"] = 1;
-    in_["ray"] = i;
+    in_["tester"] = i;
     for (std::size_t c = 0; c < 2; ++c) {
       const std::string which = c == 0 ? "0" : "1";
       // A unit may say anything of a child that is not there.
@@ -199,8 +199,8 @@ class Driver {
       answer.hit[c] = near[c] <= far;
       answer.interval[c] = {near[c], far};
       in_["hit_" + which] = answer.hit[c] ? 1 : 0;
-      in_["near_" + which] = static_cast<Word>(near[c]) & hls::low_mask(bits_.distance);
-      in_["far_" + which] = static_cast<Word>(far) & hls::low_mask(bits_.distance);
+      in_["near_" + which] = static_cast<Word>(near[c]) & hls::low_mask(bits_.box);
+      in_["far_" + which] = static_cast<Word>(far) & hls::low_mask(bits_.box);
     }
     answer.second_first = near[1] < near[0] || (near[1] == near[0] && box.ties_second);
     in_["second_first"] = answer.second_first ? 1 : 0;
@@ -210,12 +210,12 @@ class Driver {
   void answer_leaf(std::size_t i, InFlight& ray) {
     for (const ref::TreeHit& hit : ray.placed->tree.boxes[ray.placed->box_at(ray.walk->at().first)].hits)
       ray.best = std::min(ray.best, hit);
-    in_["leaf"] = 1;
-    in_["leaf_ray"] = i;
-    in_["cut"] = static_cast<Word>(ray.best.first);
+    in_["returns"] = 1;
+    in_["return_ray"] = i;
+    in_["return_cut"] = static_cast<Word>(ray.best.first);
     ray.waits = false;
     if (ray.any && ray.best.second != ref::no_triangle) {
-      in_["stops"] = 1;
+      in_["return_stops"] = 1;
       stopped_.push_back(i);
       return;
     }
@@ -225,7 +225,7 @@ class Driver {
   void take_outputs() {
     const bool goes = out_["goes"] != 0, ended = out_["ended"] != 0;
     if (!goes && !ended) return;
-    const auto i = static_cast<std::size_t>(out_["of"]);
+    const auto i = static_cast<std::size_t>(out_["walk_ray"]);
     InFlight& ray = rays_[i];
     if ((goes && ended) || !ray.walk || ray.waits) return void(wrong("an answer that nobody waits for"));
     const auto stopped = std::find(stopped_.begin(), stopped_.end(), i);
@@ -309,10 +309,10 @@ Loop walk_in_a_loop(const hls::WalkBits& bits, Word most_steps) {
   for (int cycle = 0; cycle < 10'000; ++cycle) {
     in.clear();
     in["most_steps"] = most_steps;
-    in["begins"] = cycle == 1 ? 1 : 0;
-    in["length"] = 5;
+    in["starts"] = cycle == 1 ? 1 : 0;
+    in["start_cut"] = 5;
     if (answers) {
-      for (const char* name : {"reads", "tested", "hit_0", "hit_1"}) in[name] = 1;
+      for (const char* name : {"begins", "tested", "hit_0", "hit_1"}) in[name] = 1;
       in["count_0"] = record_count;
       in["count_1"] = 1;
       in["far_0"] = in["far_1"] = 5;

@@ -1,0 +1,279 @@
+// The channels of a core (docs/core.md): what its machines give to each other and to the outside. A channel is
+// said once. The machine that gives and those that take have ports with these names. In a channel the first
+// field is 1 if the others mean something. `Back` is what the taker gives, for example that it takes.
+#pragma once
+
+#include <tuple>
+
+#include "hls/machines/id_queue.hpp"
+#include "hls/machines/record.hpp"
+#include "hls/machines/walk_format.hpp"
+#include "hls/world/core_format.hpp"
+
+namespace hitpipe::hls::channels {
+
+/// Bits of an origin, of a distance, of a box distance, of a block's number.
+inline constexpr auto point_bits = [](const auto& format) { return format.point(); };
+inline constexpr auto distance_bits = [](const auto& format) {
+  if constexpr (requires { format.distance(); })
+    return format.distance();
+  else
+    return format.distance;
+};
+inline constexpr auto box_bits = [](const auto& format) {
+  if constexpr (requires { format.box(); })
+    return format.box();
+  else
+    return format.box;
+};
+inline constexpr auto address_bits = [](const auto& format) { return format.address; };
+
+// A new ray, as the unit int_ray makes it (hls/world/ray_operands.hpp).
+constexpr Data<"ray_valid"> ray_valid;  // this and `ray_ready` are 1: the ray begins
+constexpr Data<"ray_ready"> ray_ready;
+inline constexpr auto tag_bits = [](const auto& format) { return format.tag; };
+constexpr Data<"ray_tag", tag_bits> ray_tag;
+constexpr Data<"ray_any"> ray_any;      // it wants any hit, else the nearest
+constexpr Data<"ray_error"> ray_error;  // it is no ray
+constexpr Data<"ray_major_y"> ray_major_y;
+constexpr Data<"ray_major_z"> ray_major_z;
+constexpr Data<"ray_back_m"> ray_back_m;
+constexpr Data<"ray_back_a"> ray_back_a;
+constexpr Data<"ray_back_b"> ray_back_b;
+constexpr SignedData<"ray_origin_m", point_bits> ray_origin_m;
+constexpr SignedData<"ray_origin_a", point_bits> ray_origin_a;
+constexpr SignedData<"ray_origin_b", point_bits> ray_origin_b;
+inline constexpr auto slope_bits = [](const auto& format) { return format.slope + 1; };
+constexpr Data<"ray_s_a", slope_bits> ray_s_a;
+constexpr Data<"ray_s_b", slope_bits> ray_s_b;
+inline constexpr auto mantissa_bits = [](const auto& format) { return format.mantissa; };
+inline constexpr auto exponent_bits = [](const auto& format) { return format.exponent(); };
+constexpr Data<"ray_floor_a", mantissa_bits> ray_floor_a;
+constexpr Data<"ray_ceil_a", mantissa_bits> ray_ceil_a;
+constexpr Data<"ray_exp_a", exponent_bits> ray_exp_a;
+constexpr Data<"ray_floor_b", mantissa_bits> ray_floor_b;
+constexpr Data<"ray_ceil_b", mantissa_bits> ray_ceil_b;
+constexpr Data<"ray_exp_b", exponent_bits> ray_exp_b;
+constexpr Data<"ray_length", distance_bits> ray_length;
+constexpr Data<"begun_at", ray_bits> begun_at;  // the number that the next ray has
+/// The door says so to those that keep something of each ray.
+struct NewNumber : List<ray_ready, begun_at> {};
+struct Begun : Join<List<ray_valid>, NewNumber> {};
+/// What both tests want to know of it.
+struct Direction : List<ray_major_y, ray_major_z, ray_back_m, ray_back_a, ray_back_b, ray_origin_m,
+                        ray_origin_a, ray_origin_b> {};
+struct Reciprocals : List<ray_floor_a, ray_ceil_a, ray_exp_a, ray_floor_b, ray_ceil_b, ray_exp_b> {};
+
+// From the door to best_hits.
+constexpr Data<"new_ray"> new_ray;
+constexpr Data<"begun", ray_bits> begun;
+constexpr Data<"length", distance_bits> length;
+constexpr Data<"any"> any_hit;
+constexpr Data<"takes"> takes;
+struct NewRay : List<new_ray, begun, length, any_hit> {
+  using Back = List<takes>;
+};
+
+// From best_hits to the walker: the new ray's walk starts at the root's own record.
+constexpr Data<"starts"> starts;
+constexpr Data<"start_ray", ray_bits> start_ray;
+constexpr Data<"start_cut", box_bits> start_cut;  // its length as a box distance
+constexpr Data<"walker_takes"> walker_takes;
+struct Starts : List<starts, start_ray, start_cut> {
+  using Back = List<walker_takes>;
+};
+
+// From the walker to reader and pair_feed: a ray wants a record, or the triangles of a leaf.
+constexpr Data<"goes"> goes;
+constexpr Data<"walk_ray", ray_bits> walk_ray;
+constexpr Data<"wanted", address_bits> wanted;            // the block
+constexpr Data<"triangles", child_count_bits> triangles;  // all ones: it is a record
+struct Goes : List<goes, walk_ray, wanted, triangles> {};
+constexpr Data<"enters_at", box_bits> enters_at;  // where the ray is within it
+constexpr Data<"leaves_at", box_bits> leaves_at;
+struct WalkInterval : List<enters_at, leaves_at> {};
+
+// From the walker to best_hits: a ray's walk has ended.
+constexpr Data<"ended"> ended;
+constexpr Data<"failed"> failed;  // at a bound, of steps or of levels, or the ray is lost
+struct Ended : List<ended, walk_ray, failed> {};
+
+// From the reader to requests: a block is wanted.
+constexpr Data<"asks"> asks;
+constexpr Data<"asked_block", address_bits> asked_block;
+constexpr Data<"asker", ray_bits> asker;
+constexpr Data<"triangle"> triangle;  // it is one; else a record
+constexpr Data<"granted"> granted;
+struct Asks : List<asks, asked_block, asker, triangle> {
+  using Back = List<granted>;
+};
+
+// To memory. Above the ray's number an identifier has a bit that is 1 for a triangle.
+inline constexpr auto byte_bits = [](const auto& format) {
+  if constexpr (requires { format.bytes(); })
+    return format.bytes();
+  else
+    return format.bytes;
+};
+constexpr Data<"request_valid"> request_valid;
+constexpr Data<"request_address", byte_bits> request_address;  // a multiple of 32
+constexpr Data<"request_id", ray_count_bits> request_id;
+constexpr Data<"request_ready"> request_ready;
+struct Request : List<request_valid, request_address, request_id> {
+  using Back = List<request_ready>;
+};
+
+// A block that memory gives, which is taken at once: 32 bytes as four words, the first bytes in the low bits
+// of word 0.
+constexpr Data<"read_valid"> read_valid;
+constexpr Data<"read_id", ray_count_bits> read_id;
+constexpr Data<"read_word_0", 64> read_word_0;
+constexpr Data<"read_word_1", 64> read_word_1;
+constexpr Data<"read_word_2", 64> read_word_2;
+constexpr Data<"read_word_3", 64> read_word_3;
+struct BlockWords : List<read_word_0, read_word_1, read_word_2, read_word_3> {};
+struct BlockRead : Join<List<read_valid, read_id>, BlockWords> {};
+
+/// Who gets the block.
+constexpr auto reader_of(const auto& in) {
+  return slice(in[read_id], width_of(in[read_id]) - 2_w, 0_w);
+}
+constexpr auto reads_triangle(const auto& in) {
+  return sign(in[read_id]);
+}
+/// Bits At .. At + Bits - 1 of the block.
+template <int At, int Bits>
+constexpr auto piece(const auto& in) {
+  constexpr auto word = []<int I>(Width<I>) {
+    return std::get<I>(std::tuple(read_word_0, read_word_1, read_word_2, read_word_3));
+  };
+  constexpr int first = At / 64, last = (At + Bits - 1) / 64, low = At % 64;
+  const auto& lower = in[word(Width<first>())];
+  if constexpr (first == last)
+    return slice(lower, Width<low + Bits - 1>(), Width<low>());
+  else
+    return cat(slice(in[word(Width<last>())], Width<(At + Bits - 1) % 64>(), 0_w),
+               slice(lower, 63_w, Width<low>()));
+}
+/// The coordinate with that number, in `width` bits.
+template <int I>
+constexpr auto coordinate(const auto& in, const auto& width) {
+  return resize(as_signed(piece<24 * I, 24>(in)), width);
+}
+
+// From a feed: the test of a ray begins. Its unit and, of a record, the walker are told.
+constexpr Data<"begins"> begins;
+constexpr Data<"test_ray", ray_bits> test_ray;
+constexpr Data<"unit_takes"> unit_takes;
+struct Begins : List<begins, test_ray> {
+  using Back = List<unit_takes>;
+};
+constexpr Data<"block", address_bits> block;  // of child 0; child 1 follows
+constexpr Data<"count_0", child_count_bits> count_0;
+constexpr Data<"count_1", child_count_bits> count_1;
+struct Children : List<block, count_0, count_1> {};
+
+// From a unit, or a machine in its place: the test of a ray has ended, with HIT or without.
+constexpr Data<"tested"> tested;
+constexpr Data<"tester", ray_bits> tester;
+constexpr Data<"hit"> hit;
+struct Tested : List<tested, hit, tester> {};
+
+/// A number with a sign has two ports: the high half has the sign, and the low half may have a bit less.
+template <auto Bits>
+struct LowHalf {
+  constexpr int operator()(const auto& format) const { return number_in<Bits>(format) / 2; }
+};
+template <auto Bits>
+struct HighHalf {
+  constexpr int operator()(const auto& format) const { return (number_in<Bits>(format) + 1) / 2; }
+};
+template <Name N, auto Bits>
+struct Halves {
+  static constexpr SignedData<N + Name("_high"), HighHalf<Bits>{}> high{};
+  static constexpr Data<N + Name("_low"), LowHalf<Bits>{}> low{};
+  using Items = List<high, low>;
+};
+
+// From triangle_feed to best_hits: a triangle has been read for a ray.
+constexpr Data<"reads"> reads;
+constexpr Data<"read_ray", ray_bits> read_ray;
+constexpr Data<"number", triangle_number_bits> number;
+struct TriangleRead : List<reads, read_ray, number> {};
+
+// From the divider to best_hits: what a hit is. Back comes what the ray `asked` has, in the next cycle: the
+// number of the triangle that it was tested with, T of its best hit, which is its length before the first one,
+// and that hit's number, which is all ones before the first one.
+constexpr Data<"asked", ray_bits> asked;
+constexpr Data<"done"> done;  // 1: `asked`, `t` and `closer` are an answer
+constexpr Data<"t", distance_bits> t;
+constexpr Data<"closer"> closer;  // (T, number) is less than (best, best_number)
+constexpr Data<"asked_number", triangle_number_bits> asked_number;
+constexpr Data<"best", distance_bits> best;
+constexpr Data<"best_number", triangle_number_bits> best_number;
+struct Divides : List<asked, done, t, closer> {
+  using Back = List<asked_number, best, best_number>;
+};
+
+// From best_hits to the reader: a hit has been compared.
+constexpr Data<"divided"> divided;
+constexpr Data<"divided_ray", ray_bits> divided_ray;
+constexpr Data<"divided_stops"> divided_stops;  // the ray wants nothing else
+struct Divided : List<divided, divided_ray, divided_stops> {};
+
+// From the reader to best_hits: a ray is done with its leaf.
+constexpr Data<"leaf_done"> leaf_done;
+constexpr Data<"leaf_ray", ray_bits> leaf_ray;
+constexpr Data<"leaf_stops"> leaf_stops;  // it wants nothing else
+constexpr Data<"leaf_lost"> leaf_lost;    // because a block that it wants is not in the image
+struct LeafDone : List<leaf_done, leaf_ray, leaf_stops, leaf_lost> {};
+
+// From best_hits to the walker: the same a cycle later, with the ray's length now as a box distance.
+constexpr Data<"returns"> returns;
+constexpr Data<"return_ray", ray_bits> return_ray;
+constexpr Data<"return_cut", box_bits> return_cut;
+constexpr Data<"return_stops"> return_stops;
+constexpr Data<"return_lost"> return_lost;
+struct Returns : List<returns, return_ray, return_cut, return_stops, return_lost> {};
+
+// From best_hits to replies: a ray's answer.
+constexpr Data<"answers"> answers;
+constexpr Data<"answered", ray_bits> answered;
+constexpr Data<"answer_t", distance_bits> answer_t;
+constexpr Data<"answer_number", triangle_number_bits> answer_number;  // all ones: no hit
+constexpr Data<"answer_failed"> answer_failed;
+struct Answers : List<answers, answered, answer_t, answer_number, answer_failed> {};
+
+/// An answer that leaves, with the tag of its ray. With weights it passes through two machines.
+template <Name Prefix>
+struct HitsOf {
+  static constexpr Data<Prefix + Name("valid")> valid{};
+  static constexpr Data<Prefix + Name("tag"), tag_bits> tag{};
+  static constexpr Data<Prefix + Name("t"), distance_bits> t{};
+  static constexpr Data<Prefix + Name("number"), triangle_number_bits> number{};  // all ones: no hit
+  static constexpr Data<Prefix + Name("failed")> failed{};
+  static constexpr Data<Prefix + Name("ready")> ready{};
+  using Items = List<valid, tag, t, number, failed>;
+  using Back = List<ready>;
+};
+using Hits = HitsOf<"hit_">;
+/// It has left, and its ray's number is free.
+template <Name Prefix>
+struct FreedOf {
+  static constexpr Data<Prefix + Name("freed")> is{};
+  static constexpr Data<Prefix + Name("freed_ray"), ray_bits> ray{};
+  using Items = List<is, ray>;
+};
+using Freed = FreedOf<"">;
+using HitsToWeights = HitsOf<"reply_">;
+using FreedToWeights = FreedOf<"reply_">;
+
+// What the host says. None may change while rays are in flight but `most_rays`, which may grow.
+inline constexpr auto base_bits = [](const auto& format) { return format.bytes - 5; };
+constexpr Data<"base", base_bits> base;                    // the image's address, divided by 32
+constexpr Data<"last", address_bits> last;                 // the image's last block
+constexpr Data<"most_steps", step_count_bits> most_steps;  // records that a walk may test
+constexpr Data<"most_rays", ray_count_bits> most_rays;     // in flight, 1 or more
+struct Settings : List<base, last, most_steps, most_rays> {};
+
+}  // namespace hitpipe::hls::channels
