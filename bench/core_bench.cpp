@@ -1,5 +1,6 @@
-// Cycles a second of a core as Verilog and as C++, by turns in one run. The memory around the core and the
-// rays are those of `hitpipe trace`; making the rays and the core is not timed.
+// Cycles a second of a core as Verilog and as C++, which run by turns: of each the fastest run. The memory
+// around the core and the rays are those of `hitpipe trace`; making the rays and the core is not timed.
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -46,13 +47,13 @@ void core(benchmark::State& state) {
 
   std::vector<sim::CoreAnswer> answers(rays.jobs.size());
   const sim::MemoryOptions memory{};
-  std::array<double, 2> seconds{};
+  std::array<double, 2> seconds{1e9, 1e9};
   double cycles = 0;
   for (auto _ : state) {
     for (std::size_t i = 0; i < machines.size(); ++i) {
       sim::CoreBench bench(made, *machines[i], image, memory);
-      seconds[i] += seconds_of([&] { bench.run(rays.jobs, answers); });
-      if (i == 0) cycles += static_cast<double>(bench.counts().cycles);
+      seconds[i] = std::min(seconds[i], seconds_of([&] { bench.run(rays.jobs, answers); }));
+      cycles = static_cast<double>(bench.counts().cycles);
     }
   }
   state.counters["verilog_per_s"] = cycles / seconds[0];

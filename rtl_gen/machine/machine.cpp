@@ -166,7 +166,7 @@ MachineGraph Machine::graph(const Format& format) const {
   return made;
 }
 
-std::unique_ptr<NativeMachine> Machine::native(const Format& format, Collision collision) const {
+std::unique_ptr<JoinedMachine> Machine::native(const Format& format, Collision collision) const {
   check_format(*this, format);
   return native_at(format, collision);
 }

@@ -57,19 +57,28 @@ class NativeMachine {
   virtual void state(Word* registers) const = 0;
 };
 
+/// One that is joined to others (sim/core/native_core.hpp). Ports have 64 bits, and an input is read where
+/// another machine gave it, so that no cycle copies it.
+class JoinedMachine : public NativeMachine {
+ public:
+  /// outputs() and step().
+  virtual void give(std::uint64_t* outputs) = 0;
+  virtual void take(const std::uint64_t* const* inputs, bool reset) = 0;
+};
+
 /// A machine as the program lists it.
 struct Machine {
   std::string_view name;
   std::string_view summary;
   Format default_format;
   MachineGraph (*graph_at)(const Format&);
-  std::unique_ptr<NativeMachine> (*native_at)(const Format&, Collision);
+  std::unique_ptr<JoinedMachine> (*native_at)(const Format&, Collision);
 
   /// As a user writes it. Throws std::runtime_error, one line, that says what is allowed.
   [[nodiscard]] Format parse_format(std::string_view text) const;
   /// Throw std::runtime_error, one line, when there is no such format.
   [[nodiscard]] MachineGraph graph(const Format& format) const;
-  [[nodiscard]] std::unique_ptr<NativeMachine> native(const Format& format,
+  [[nodiscard]] std::unique_ptr<JoinedMachine> native(const Format& format,
                                                       Collision collision = Collision::old_word) const;
   /// The name of its Verilog module.
   [[nodiscard]] std::string module_at(const Format& format) const;

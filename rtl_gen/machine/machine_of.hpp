@@ -195,9 +195,17 @@ class HostMemory {
   bool holds_ = false;  ///< it keeps the word that it gives: its one port writes
 };
 
+// `flatten`: a core's machines run in every cycle; inlined whole, their values stay in registers. GCC's
+// sanitizers take minutes over so large a function.
+#ifdef __SANITIZE_ADDRESS__
+#define HITPIPE_FLATTEN
+#else
+#define HITPIPE_FLATTEN [[gnu::flatten]]
+#endif
+
 /// M has its records.
 template <class M, class D, class F>
-class NativeMachineOf final : public NativeMachine {
+class NativeMachineOf final : public JoinedMachine {
  public:
   NativeMachineOf(const F& format, Collision collision) : format_(format) {
     memories_.for_each(format_, memories_, [&](const hls::MemoryShape& shape, auto& memory) {
@@ -208,14 +216,30 @@ class NativeMachineOf final : public NativeMachine {
     });
   }
 
-  void outputs(Word* outputs) override {
-    const auto out = M::template outputs<D>(format_, state_, memories_, log_);
-    out.for_each(format_, out, [&](const hls::Field&, const auto& x) { *outputs++ = pattern_of(x); });
+  void outputs(Word* outputs) override { give_to(outputs); }
+  HITPIPE_FLATTEN void give(std::uint64_t* outputs) override { give_to(outputs); }
+  void step(const Word* inputs, bool reset) override {
+    take_from([&] { return *inputs++; }, reset);
+  }
+  HITPIPE_FLATTEN void take(const std::uint64_t* const* inputs, bool reset) override {
+    take_from([&] { return **inputs++; }, reset);
   }
 
-  void step(const Word* inputs, bool reset) override {
+  void state(Word* registers) const override {
+    state_.for_each(format_, state_, [&](const hls::Field&, const auto& x) { *registers++ = pattern_of(x); });
+  }
+
+ private:
+  template <class W>
+  void give_to(W* outputs) {
+    const auto out = M::template outputs<D>(format_, state_, memories_, log_);
+    out.for_each(format_, out,
+                 [&](const hls::Field&, const auto& x) { *outputs++ = static_cast<W>(pattern_of(x)); });
+  }
+  template <class Input>
+  void take_from(Input&& input, bool reset) {
     in_.for_each(format_, in_,
-                 [&](const hls::Field& field, auto& x) { set_pattern(x, *inputs++, field.width); });
+                 [&](const hls::Field& field, auto& x) { set_pattern(x, input(), field.width); });
     M::template step<D>(format_, state_, in_, memories_, log_);
     memories_.for_each(format_, memories_, [](const hls::MemoryShape&, auto& memory) { memory.clock(); });
     if (!reset) return;
@@ -224,17 +248,13 @@ class NativeMachineOf final : public NativeMachine {
     });
   }
 
-  void state(Word* registers) const override {
-    state_.for_each(format_, state_, [&](const hls::Field&, const auto& x) { *registers++ = pattern_of(x); });
-  }
-
- private:
   F format_;
   typename M::template State<D, F> state_{};
   typename M::template Inputs<D, F> in_{};
   typename M::template Memories<HostMemory<D>> memories_{};
   hls::NoLog log_;
 };
+#undef HITPIPE_FLATTEN
 
 }  // namespace detail
 
@@ -282,13 +302,13 @@ MachineGraph traced_machine(const typename Machine::Bits& format) {
 }
 
 template <class Machine>
-std::unique_ptr<NativeMachine> native_machine(const typename Machine::Bits& format, Collision collision) {
+std::unique_ptr<JoinedMachine> native_machine(const typename Machine::Bits& format, Collision collision) {
   using M = detail::WithRecords<Machine>;
   using Any = std::conditional_t < requires {
     requires M::wide;
   }
   , hls::WideSized, hls::Sized > ;
-  std::unique_ptr<NativeMachine> made;
+  std::unique_ptr<JoinedMachine> made;
   const auto choose = [&]<class... F>(hls::FormatList<F...>) {
     ((format == typename M::Bits(F{})
           ? void(made = std::make_unique<detail::NativeMachineOf<M, hls::Native, F>>(F{}, collision))

@@ -9,12 +9,12 @@ namespace hitpipe::sim {
 namespace core_parts {
 
 using rtl::Pin;
-using rtl::Word;
 
-/// With a word for each pin.
+/// An output has its number here; an input says where the number is that it is joined to.
 class Part {
  public:
-  explicit Part(const rtl::CorePart& part) : pins_(part.interface.pins.size()) {}
+  explicit Part(const rtl::CorePart& part)
+      : outputs_(part.interface.pins.size()), inputs_(part.interface.pins.size()) {}
   virtual ~Part() = default;
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;
@@ -23,10 +23,12 @@ class Part {
   /// An output that depends on an input: whether a unit that stalls takes a test.
   virtual void give_ready() {}
   virtual void step(bool reset) = 0;
-  [[nodiscard]] Word* pin(std::size_t place) { return &pins_[place]; }
+  [[nodiscard]] const std::uint64_t* output(std::size_t pin) const { return &outputs_[pin]; }
+  void join(std::size_t pin, const std::uint64_t* from) { inputs_[pin] = from; }
 
  protected:
-  std::vector<Word> pins_;
+  std::vector<std::uint64_t> outputs_;
+  std::vector<const std::uint64_t*> inputs_;
 };
 
 namespace {
@@ -37,14 +39,15 @@ class MachineInCore final : public Part {
   MachineInCore(const rtl::CorePart& part, rtl::Collision collision)
       : Part(part),
         machine_(part.machine->native(part.format, collision)),
-        inputs_(pins_.data() + 2),
-        outputs_(inputs_ + part.graph->inputs.size()) {}
-  void give() override { machine_->outputs(outputs_); }
-  void step(bool reset) override { machine_->step(inputs_, reset); }
+        give_to_(outputs_.data() + 2 + part.graph->inputs.size()),
+        take_from_(inputs_.data() + 2) {}
+  void give() override { machine_->give(give_to_); }
+  void step(bool reset) override { machine_->take(take_from_, reset); }
 
  private:
-  std::unique_ptr<rtl::NativeMachine> machine_;
-  Word *inputs_, *outputs_;
+  std::unique_ptr<rtl::JoinedMachine> machine_;
+  std::uint64_t* give_to_;
+  const std::uint64_t* const* take_from_;
 };
 
 class UnitInCore final : public Part {
@@ -56,12 +59,17 @@ class UnitInCore final : public Part {
         interval_(part.pipeline->interval()) {
     for (std::size_t i = 0; i < part.interface.pins.size(); ++i) {
       const Pin& pin = part.interface.pins[i];
-      Word* const at = &pins_[i];
-      if (pin.role == Pin::Role::valid) (pin.is_input ? in_valid_ : out_valid_) = at;
-      if (pin.role == Pin::Role::tag) (pin.is_input ? in_tags_ : out_tags_).push_back(at);
-      if (pin.role == Pin::Role::ready) (pin.is_input ? out_ready_ : in_ready_) = at;
-      if (pin.role != Pin::Role::data) continue;
-      (pin.is_input ? operands_ : results_).push_back({at, rtl::ones_below(pin.width)});
+      const std::uint64_t** const from = &inputs_[i];
+      std::uint64_t* const to = &outputs_[i];
+      if (pin.role == Pin::Role::valid && pin.is_input) in_valid_ = from;
+      if (pin.role == Pin::Role::valid && !pin.is_input) out_valid_ = to;
+      if (pin.role == Pin::Role::ready && pin.is_input) out_ready_ = from;
+      if (pin.role == Pin::Role::ready && !pin.is_input) in_ready_ = to;
+      if (pin.role == Pin::Role::tag && pin.is_input) in_tags_.push_back(from);
+      if (pin.role == Pin::Role::tag && !pin.is_input) out_tags_.push_back(to);
+      if (pin.role == Pin::Role::data && pin.is_input) operands_.push_back(from);
+      if (pin.role == Pin::Role::data && !pin.is_input)
+        results_.push_back({to, static_cast<std::uint64_t>(rtl::ones_below(pin.width))});
     }
     operand_numbers_.resize(operands_.size());
     for (Stage& stage : stages_) {
@@ -77,7 +85,7 @@ class UnitInCore final : public Part {
     if (!last.valid) return;
     for (std::size_t i = 0; i < out_tags_.size(); ++i) *out_tags_[i] = last.tags[i];
     for (std::size_t i = 0; i < results_.size(); ++i)
-      *results_[i].at = static_cast<Word>(last.results[i]) & results_[i].mask;
+      *results_[i].at = static_cast<std::uint64_t>(last.results[i]) & results_[i].mask;
   }
 
   void give_ready() override {
@@ -88,42 +96,44 @@ class UnitInCore final : public Part {
     if (!reset && !advances()) return;
     Stage& first = stages_[next_];
     next_ = next_ + 1 == stages_.size() ? 0 : next_ + 1;
-    first.valid = *in_valid_ != 0 && phase_ == 0;
+    first.valid = **in_valid_ != 0 && phase_ == 0;
     phase_ = phase_ + 1 == interval_ ? 0 : phase_ + 1;
     if (reset) {
       for (Stage& stage : stages_) stage.valid = false;
       phase_ = 0;
     }
     if (!first.valid) return;
-    for (std::size_t i = 0; i < in_tags_.size(); ++i) first.tags[i] = *in_tags_[i];
+    for (std::size_t i = 0; i < in_tags_.size(); ++i) first.tags[i] = **in_tags_[i];
     for (std::size_t i = 0; i < operands_.size(); ++i)
-      operand_numbers_[i] = static_cast<std::int64_t>(*operands_[i].at);
+      operand_numbers_[i] = static_cast<std::int64_t>(**operands_[i]);
     evaluate_(operand_numbers_.data(), first.results.data());
   }
 
  private:
   struct Data {
-    Word* at;
-    Word mask;
+    std::uint64_t* at;
+    std::uint64_t mask;
   };
   struct Stage {
     bool valid = false;
-    std::vector<Word> tags{};
+    std::vector<std::uint64_t> tags{};
     std::vector<std::int64_t> results{};
   };
 
   /// While a result waits, the whole pipeline stands still.
   [[nodiscard]] bool advances() const {
-    return out_ready_ == nullptr || *out_ready_ != 0 || !stages_[next_].valid;
+    return out_ready_ == nullptr || **out_ready_ != 0 || !stages_[next_].valid;
   }
 
   rtl::Evaluate evaluate_;
   std::vector<Stage> stages_;
   std::size_t next_ = 0;  ///< the oldest stage; the next test takes its place
   int interval_, phase_ = 0;
-  Word *in_valid_ = nullptr, *in_ready_ = nullptr, *out_valid_ = nullptr, *out_ready_ = nullptr;
-  std::vector<Word*> in_tags_, out_tags_;
-  std::vector<Data> operands_, results_;
+  const std::uint64_t **in_valid_ = nullptr, **out_ready_ = nullptr;
+  std::uint64_t *in_ready_ = nullptr, *out_valid_ = nullptr;
+  std::vector<const std::uint64_t**> in_tags_, operands_;
+  std::vector<std::uint64_t*> out_tags_;
+  std::vector<Data> results_;
   std::vector<std::int64_t> operand_numbers_;
 };
 
@@ -139,37 +149,36 @@ NativeCore::NativeCore(const rtl::Core& core, rtl::Collision collision) {
       parts_.push_back(std::make_unique<core_parts::UnitInCore>(part));
   }
   for (const rtl::CoreWire& wire : core.wires)
-    wires_.push_back({parts_[wire.from]->pin(wire.output), parts_[wire.to]->pin(wire.input)});
+    parts_[wire.to]->join(wire.input, parts_[wire.from]->output(wire.output));
+  inputs_.resize(core.ports.size());
+  auto input = inputs_.begin();
   for (const rtl::CorePort& port : core.ports) {
     if (!port.pin.is_input) {
-      outputs_.push_back(parts_[port.ends.front().part]->pin(port.ends.front().pin));
+      outputs_.push_back(parts_[port.ends.front().part]->output(port.ends.front().pin));
       continue;
     }
-    inputs_.emplace_back();
-    for (const rtl::CorePort::End& end : port.ends) inputs_.back().push_back(parts_[end.part]->pin(end.pin));
+    for (const rtl::CorePort::End& end : port.ends) parts_[end.part]->join(end.pin, &*input);
+    ++input;
   }
+  inputs_.erase(input, inputs_.end());
 }
 NativeCore::~NativeCore() = default;
 
 void NativeCore::settle() {
   for (const auto& part : parts_) part->give();
-  for (const Copy& wire : wires_) *wire.to = *wire.from;
   for (const auto& part : parts_) part->give_ready();
 }
 
 void NativeCore::outputs(rtl::Word* outputs) {
   settle();
   settled_ = true;
-  for (const rtl::Word* const output : outputs_) *outputs++ = *output;
+  for (const std::uint64_t* const output : outputs_) *outputs++ = *output;
 }
 
 void NativeCore::step(const rtl::Word* inputs, bool reset) {
   if (!settled_) settle();
   settled_ = false;
-  for (const std::vector<rtl::Word*>& places : inputs_) {
-    for (rtl::Word* const place : places) *place = *inputs;
-    ++inputs;
-  }
+  for (std::uint64_t& input : inputs_) input = static_cast<std::uint64_t>(*inputs++);
   for (const auto& part : parts_) part->step(reset);
 }
 

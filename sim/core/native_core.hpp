@@ -2,6 +2,7 @@
 // as many cycles as their pipelines have stages, joined by the core's wires.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -27,19 +28,13 @@ class NativeCore final : public rtl::NativeMachine {
 
  private:
   NativeCore(const NativeCore&) = delete;
-  /// Gives all outputs, and takes them to the inputs that wires lead to.
+  /// Gives all outputs.
   void settle();
 
-  struct Copy {
-    const rtl::Word* from;
-    rtl::Word* to;
-  };
-
   std::vector<std::unique_ptr<core_parts::Part>> parts_;
-  std::vector<Copy> wires_;
-  std::vector<std::vector<rtl::Word*>> inputs_;  ///< by input of the core: where it goes
-  std::vector<const rtl::Word*> outputs_;
-  bool settled_ = false;  ///< the wires have this cycle's values
+  std::vector<std::uint64_t> inputs_;  ///< of the core
+  std::vector<const std::uint64_t*> outputs_;
+  bool settled_ = false;  ///< the outputs are this cycle's
 };
 
 }  // namespace hitpipe::sim
