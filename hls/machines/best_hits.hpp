@@ -50,7 +50,6 @@ constexpr BlockOf<"answer_bests", &BestBits::rays, Best> answer_bests;
 struct BestHits {
   static constexpr const char* name = "best_hits";
   static constexpr const char* summary = "the best hit of each ray, from its beginning to its answer";
-  static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = BestBits;
   using BuiltIn = FormatList<Fixed<BestBits{20, 1, 20, 5}>, Fixed<BestBits{20, 1, 20, 7}>>;
   struct In : Join<NewRay, Starts::Back, TriangleRead, Divides, LeafDone, Ended> {};

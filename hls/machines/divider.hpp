@@ -51,7 +51,6 @@ constexpr Block<"nums", &CoreBits::rays, &CoreBits::volume> nums;
 struct Divider {
   static constexpr const char* name = "divider";
   static constexpr const char* summary = "distance of the triangles that are hit, and the nearest";
-  static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = CoreBits;
   using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>, Fixed<CoreBits{{20, 1, 20, 0, 0}, 7}>>;
   struct In : Join<Tested, TestDet, TestNum, Divides::Back> {};

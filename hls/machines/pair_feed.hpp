@@ -98,7 +98,6 @@ constexpr BlockOf<"intervals", &PairFeedBits::rays, Parent>
 struct PairFeed {
   static constexpr const char* name = "pair_feed";
   static constexpr const char* summary = "gives records and their rays to the unit for two boxes";
-  static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = PairFeedBits;
   using BuiltIn =
       FormatList<Fixed<PairFeedBits{20, 1, 11, 0, 24, 5}>, Fixed<PairFeedBits{20, 1, 11, 0, 24, 7}>>;

@@ -40,7 +40,6 @@ constexpr BlockOf<"tags", &ReplyBits::rays, Tag> tags;           // by ray
 struct Replies {
   static constexpr const char* name = "replies";
   static constexpr const char* summary = "gives answers out, with the tags of their rays";
-  static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = ReplyBits;
   using BuiltIn = FormatList<Fixed<ReplyBits{20, 16, 5}>, Fixed<ReplyBits{20, 16, 7}>>;
   struct In : Join<Begun, List<ray_tag, ray_error>, Answers, Hits::Back> {};

@@ -64,7 +64,6 @@ constexpr Block<"words_1", power_of_two(program::place_bits), word_bits>
 struct SerialTriangle {
   static constexpr const char* name = "serial_triangle";
   static constexpr const char* summary = "tests triangles with one multiplier, for small chips";
-  static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = CoreBits;
   using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>>;
   struct In : Join<queue::In, Divides::Back> {};

@@ -13,7 +13,6 @@ namespace queue = triangle_queue;
 struct TriangleFeed {
   static constexpr const char* name = "triangle_feed";
   static constexpr const char* summary = "gives triangles and their rays to the triangle unit";
-  static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = CoreBits;
   using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>, Fixed<CoreBits{{20, 1, 20, 0, 0}, 7}>>;
   struct In : Join<queue::In, Begins::Back> {};

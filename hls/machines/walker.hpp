@@ -109,7 +109,6 @@ constexpr BlockOf<"stacks", &WalkBits::stacks, Entry> stacks;  // by ray and pla
 struct Walker {
   static constexpr const char* name = "walker";
   static constexpr const char* summary = "walks of rays through boxes: trail, short stack, restart";
-  static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = WalkBits;
   using BuiltIn = FormatList<Fixed<WalkBits{20, 24, 60, 3, 5}>, Fixed<WalkBits{20, 24, 60, 3, 7}>>;
   struct In : Join<Starts, Begins, Children, TestedBoxes, Returns, List<most_steps>> {};

@@ -55,7 +55,6 @@ constexpr BlockOf<"best_v", &WeightBits::rays, HitV> best_v;
 struct Weights {
   static constexpr const char* name = "weights";
   static constexpr const char* summary = "keeps the weights of the corners of each ray's best hit";
-  static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = WeightBits;
   using BuiltIn = FormatList<Fixed<WeightBits{61, 62, 20, 16, 5}>>;
   struct In : Join<Tested, TestDet, TestU, TestV, List<asked, done, closer>, HitsToWeights, FreedToWeights,

@@ -195,14 +195,6 @@ class HostMemory {
   bool holds_ = false;  ///< it keeps the word that it gives: its one port writes
 };
 
-// `flatten`: a core's machines run in every cycle; inlined whole, their values stay in registers. GCC's
-// sanitizers take minutes over so large a function.
-#ifdef __SANITIZE_ADDRESS__
-#define HITPIPE_FLATTEN
-#else
-#define HITPIPE_FLATTEN [[gnu::flatten]]
-#endif
-
 /// M has its records.
 template <class M, class D, class F>
 class NativeMachineOf final : public JoinedMachine {
@@ -217,11 +209,11 @@ class NativeMachineOf final : public JoinedMachine {
   }
 
   void outputs(Word* outputs) override { give_to(outputs); }
-  HITPIPE_FLATTEN void give(std::uint64_t* outputs) override { give_to(outputs); }
+  void give(std::uint64_t* outputs) override { give_to(outputs); }
   void step(const Word* inputs, bool reset) override {
     take_from([&] { return *inputs++; }, reset);
   }
-  HITPIPE_FLATTEN void take(const std::uint64_t* const* inputs, bool reset) override {
+  void take(const std::uint64_t* const* inputs, bool reset) override {
     take_from([&] { return **inputs++; }, reset);
   }
 
@@ -254,7 +246,6 @@ class NativeMachineOf final : public JoinedMachine {
   typename M::template Memories<HostMemory<D>> memories_{};
   hls::NoLog log_;
 };
-#undef HITPIPE_FLATTEN
 
 }  // namespace detail
 
@@ -304,10 +295,6 @@ MachineGraph traced_machine(const typename Machine::Bits& format) {
 template <class Machine>
 std::unique_ptr<JoinedMachine> native_machine(const typename Machine::Bits& format, Collision collision) {
   using M = detail::WithRecords<Machine>;
-  using Any = std::conditional_t < requires {
-    requires M::wide;
-  }
-  , hls::WideSized, hls::Sized > ;
   std::unique_ptr<JoinedMachine> made;
   const auto choose = [&]<class... F>(hls::FormatList<F...>) {
     ((format == typename M::Bits(F{})
@@ -316,7 +303,7 @@ std::unique_ptr<JoinedMachine> native_machine(const typename Machine::Bits& form
      ...);
   };
   choose(typename M::BuiltIn());
-  if (!made) made = std::make_unique<detail::NativeMachineOf<M, Any, typename M::Bits>>(format, collision);
+  if (!made) made = std::make_unique<detail::NativeMachineOf<M, hls::WideSized, typename M::Bits>>(format, collision);
   return made;
 }
 
