@@ -28,3 +28,5 @@ fit spheres --no-shadows
 fit plant_slice
 fit "$bunny_box"
 fit waves
+echo
+echo "By \`docs/fit.sh bunny_box.ply\`, $("$program" --version | cut -d" " -f1,2)."

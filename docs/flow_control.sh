@@ -74,3 +74,5 @@ for unit in "${units[@]}"; do
   # shellcheck disable=SC2086
   rows $unit on_ice40 on_xc7
 done
+echo
+echo "By \`docs/flow_control.sh\`, $(build/hitpipe --version | cut -d" " -f1,2)."

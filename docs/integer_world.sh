@@ -23,3 +23,5 @@ for scene in $(build/hitpipe list scenes --format csv | tail -n +2 | cut -d, -f1
       boxes = triangles = ""
     }' "$rows"
 done
+echo
+echo "By \`docs/integer_world.sh $size\`, $(build/hitpipe --version | cut -d" " -f1,2)."

@@ -29,3 +29,5 @@ for scene in spheres poppy statue city reading_room "$folder/slivers.obj"; do
   done
   echo
 done
+echo
+echo "By \`docs/losses.sh\`, $(build/hitpipe --version | cut -d" " -f1,2)."

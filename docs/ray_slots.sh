@@ -24,3 +24,5 @@ for unit in 'int_slabs 20/24' 'int_plucker 20/24' 'int_major 20+1/13' 'int_major
       "$(memories "$design" ecp5 map_gates)" "$(memories "$design" xilinx fine)"
   done
 done
+echo
+echo "By \`docs/ray_slots.sh\`, $(build/hitpipe --version | cut -d" " -f1,2)."

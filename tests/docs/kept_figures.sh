@@ -1,16 +1,20 @@
 #!/usr/bin/env bash
-# kept_figures.sh PROGRAM DOCS: makes the tables of docs/measured/stiffness.md and their plot again and compares.
+# kept_figures.sh PROGRAM SOURCE: makes the pages again that a script in docs/ makes in seconds, and compares.
 set -euo pipefail
 program=$1
-docs=$2
+source=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cp "$docs/measured/stiffness.md" "$folder"
-"$docs/stiffness.sh" "$program" "$folder"
-for file in stiffness.md stiffness.svg; do
-  diff "$docs/measured/$file" "$folder/$file" || { echo "docs/measured/$file is stale; run docs/stiffness.sh"; exit 1; }
+cd "$source"
+cp --parents -t "$folder" README.md docs/choosing.md docs/measured/{chips,stiffness,units}.md docs/measured/stiffness.svg
+"$source/docs/stiffness.sh" "$program" "$folder/docs/measured"
+"$source/docs/units.py" "$program" "$folder"
+for page in README.md docs/measured/{stiffness,units}.md docs/measured/stiffness.svg; do
+  diff "$source/$page" "$folder/$page" || { echo "$page is stale; run docs/stiffness.sh and docs/units.py"; exit 1; }
 done
 for part in boxes traversals; do
-  rows=$(sed -n "/^<!-- $part -->/,/^<!-- end of $part -->/p" "$docs/measured/stiffness.md" | grep -c '^| 2^') || true
+  rows=$(sed -n "/^<!-- $part -->/,/^<!-- end of $part -->/p" "$folder/docs/measured/stiffness.md" | grep -c '^| 2^') || true
   [ "$rows" -ge 10 ] || { echo "docs/measured/stiffness.md: its table of $part is not read"; exit 1; }
 done
+rows=$(grep -cE '^\| (fp|int)_' "$folder/docs/measured/units.md")
+[ "$rows" -ge 38 ] || { echo "docs/measured/units.md: only $rows rows"; exit 1; }
