@@ -2,10 +2,12 @@
 JOBS ?= $(shell nproc)
 # Tests that `make sanitize` runs, as `ctest -R` selects them.
 SANITIZED ?= .
+# What has threads: pieces of work side by side, renders, hierarchies, walks, and signals.
+THREADED := ^host/|sw_ref/(hierarchy|render|trace|world)/
 # TEST_PATH=FOLDER: tests find programs in that folder only.
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
-.PHONY: demo test test-long test-designs build lint format bench sanitize fuzz prove prove-all-widths netlists hls-check alone fresh packages clean help
+.PHONY: demo test test-long test-designs build lint format bench sanitize threads fuzz prove prove-all-widths netlists hls-check alone fresh packages clean help
 
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
@@ -14,8 +16,9 @@ help:
 	@echo 'make test-designs  all tests in a copy of the tree with two designs more'
 	@echo 'make build     the program, build/hitpipe, the library hitpipe::ref and the Python module'
 	@echo 'make bench     benchmarks'
-	@echo 'make lint      formatting and clang-tidy; make format mends the first'
+	@echo 'make lint      formatting and clang-tidy of what changed; make format mends the first'
 	@echo 'make sanitize  all tests under ASan and UBSan'
+	@echo 'make threads   tests of what runs in several threads, under ThreadSanitizer'
 	@echo 'make fuzz      libFuzzer, SECONDS=60 in all: loaders, command line, what is printed'
 	@echo 'make prove     the Verilog equals its combinational form: yosys and z3; DESIGN=x BITS=y II=N proves one unit'
 	@echo 'make prove-all-widths  int_major never misses, for all widths: Coq'
@@ -56,6 +59,11 @@ sanitize: packages
 	@cmake --preset sanitize
 	@cmake --build --preset sanitize -j $(JOBS) --target $(or $(PROGRAMS),test_programs)
 	@ctest --preset sanitize -j $(JOBS) -R '$(SANITIZED)' $(if $(PROGRAMS),-L '^($(subst $() ,|,$(strip $(PROGRAMS))))$$')
+
+threads: packages
+	@cmake --preset threads >build.log 2>&1 || { cat build.log; exit 1; }
+	@cmake --build --preset threads -j $(JOBS) --target host_tests sw_ref_tests
+	@ctest --preset threads -j $(JOBS) -R '$(THREADED)'
 
 fuzz: SECONDS ?= 60
 fuzz: packages
@@ -98,13 +106,10 @@ fresh:
 lint: packages
 	@clang-format --dry-run --Werror $(CXX_FILES)
 	@cmake --preset lint >build.log 2>&1 || { cat build.log; exit 1; }
-	@run-clang-tidy -quiet -j $(JOBS) -p build/lint -checks=-bugprone-suspicious-include \
-	  '^$(CURDIR)/(build/lint/)?(host|rtl_gen|area_model|sw_ref|sim|thesis|library|cli)/' >build/tidy.log 2>/dev/null \
-	  || { grep -E 'warning|error' build/tidy.log; exit 1; }
-	@echo 'lint: clean'
+	@tests/platform/tidy.py build/lint $(JOBS)
 
 format:
 	@clang-format -i $(CXX_FILES)
 
 clean:
-	rm -rf build build-debug build-sanitize out build.log
+	rm -rf build build-debug build-sanitize build-threads out build.log
