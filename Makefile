@@ -3,7 +3,7 @@ JOBS ?= $(shell nproc)
 # Tests that `make sanitize` runs, as `ctest -R` selects them.
 SANITIZED ?= .
 # What has threads: pieces of work side by side, renders, hierarchies, walks, and signals.
-THREADED := ^host/|sw_ref/(hierarchy|render|trace|world)/
+THREADED := ^host/|sw_ref/(hierarchy|render|trace)/|int_tracer_test
 # TEST_PATH=FOLDER: tests find programs in that folder only.
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
@@ -63,7 +63,7 @@ sanitize: packages
 threads: packages
 	@cmake --preset threads >build.log 2>&1 || { cat build.log; exit 1; }
 	@cmake --build --preset threads -j $(JOBS) --target host_tests sw_ref_tests
-	@ctest --preset threads -j $(JOBS) -R '$(THREADED)'
+	@ctest --preset threads -j $(JOBS) -R '$(THREADED)' -LE long
 
 fuzz: SECONDS ?= 60
 fuzz: packages

@@ -303,7 +303,8 @@ std::unique_ptr<JoinedMachine> native_machine(const typename Machine::Bits& form
      ...);
   };
   choose(typename M::BuiltIn());
-  if (!made) made = std::make_unique<detail::NativeMachineOf<M, hls::WideSized, typename M::Bits>>(format, collision);
+  if (!made)
+    made = std::make_unique<detail::NativeMachineOf<M, hls::WideSized, typename M::Bits>>(format, collision);
   return made;
 }
 
