@@ -12,7 +12,7 @@ CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
 	@echo 'make test      all tests but the long ones'
-	@echo 'make test-long  adds two designs in a copy of the tree; 10^6 exact triangle tests'
+	@echo 'make test-long  adds two designs in a copy of the tree; 10^6 exact triangle tests; proofs of units and machines'
 	@echo 'make test-designs  all tests in a copy of the tree with two designs more'
 	@echo 'make build     the program, build/hitpipe, the library hitpipe::ref and the Python module'
 	@echo 'make bench     benchmarks'
@@ -48,8 +48,8 @@ test: build
 
 test-long: packages
 	@cmake --preset release
-	@cmake --build --preset release -j $(JOBS) --target sw_ref_tests
-	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -L '^long$$' -V
+	@cmake --build --preset release -j $(JOBS) --target sw_ref_tests hitpipe emit_formal emit_lemmas
+	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -j $(JOBS) -L '^long$$' -V
 
 test-designs: packages
 	@cmake --preset release

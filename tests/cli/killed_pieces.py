@@ -94,8 +94,8 @@ def refused(words, message):
         wrong.append(f"hitpipe {words}: exit code {made.returncode}: {made.stdout}{made.stderr}, expected: {message}")
 
 
-CHECK = "check int_slabs --bits 12/12 --tests 30000000 --threads 1"
-SWEEP = ("sweep int_slabs --bits 12/12,16/16 --rays-in-flight 4,8,12,16,24,32,48,64 --scene spheres --width 48 --height 48 "
+CHECK = "check int_slabs --bits 12/12 --tests 300000 --threads 1"
+SWEEP = ("sweep int_slabs --bits 12/12,16/16 --rays-in-flight 4,8,12,16,24,32,48,64 --scene spheres --width 16 --height 16 "
          "--threads 1")
 
 
@@ -140,14 +140,14 @@ def others():
     compare("stiff rays", printed(f"check --stiff --join {pieces} --out joined"), printed(f"{stiff} --out one"))
     for name in ("stiffness.csv", "stiffness.svg", "stiffness_scene.svg"):
         compare(name, (FOLDER / "joined" / name).read_text(), (FOLDER / "one" / name).read_text())
-    trace = "trace --scene spheres --width 64 --height 64 --native --rays-in-flight 4,16 --parts 4 --latency 5,60"
+    trace = "trace --scene spheres --width 40 --height 8 --native --rays-in-flight 4,16 --parts 2 --latency 5,60"
     for command in commands_of(f"{trace} --pieces 3 --out c"):
         printed(command)
     for form in ("text", "json"):
         compare("trace", printed(f"trace --join c/2.json c/1.json c/3.json --format {form}"),
                 printed(f"{trace} --format {form}"))
     for parts, one in zip(json.loads(printed(f"{trace} --format json")),
-                          json.loads(printed(f"{trace.replace('--parts 4', '')} --format json"))):
+                          json.loads(printed(f"{trace.replace('--parts 2', '')} --format json"))):
         for key in ("rays", "wrong", "reads_a_ray"):
             compare(f"trace in parts and in one, {key}", parts[key], one[key])
     tables = "table 4.2 6.2 7.1 7.2 --judge --scene Branch=spheres --width 16 --height 12 --repeats 1"
@@ -157,7 +157,7 @@ def others():
 
 
 def refusals():
-    of = 'of 8 of "hitpipe check int_slabs --bits 12/12 --tests 30000000 --seed 1"'
+    of = 'of 8 of "hitpipe check int_slabs --bits 12/12 --tests 300000 --seed 1"'
     files = [f"c8/{i}.json" for i in range(1, 9)]
     refused(f"check --join {' '.join(files[:4] + files[5:])}", f"--join: piece 5 {of} is missing")
     refused(f"check --join {' '.join(files)} c8/2.json", "c8/2.json: is piece 2 of 8, as c8/2.json is; give each once")
@@ -172,11 +172,11 @@ def refusals():
     (FOLDER / "old.json").write_text(text.replace(program, program[:-9] + "01234567)"))
     refused(f"check --join {' '.join(files).replace('c8/3', 'old')}",
             f"old.json: was made by {program[:-9]}01234567), and this is {program}")
-    printed("check int_slabs --bits 12/12 --tests 30000000 --seed 2 --piece 3/8 --out seed.json")
+    printed("check int_slabs --bits 12/12 --tests 300000 --seed 2 --piece 3/8 --out seed.json")
     refused(f"check --join {' '.join(files).replace('c8/3', 'seed')}",
-            'seed.json: is piece 3 of 8 of "hitpipe check int_slabs --bits 12/12 --tests 30000000 --seed 2", and the '
+            'seed.json: is piece 3 of 8 of "hitpipe check int_slabs --bits 12/12 --tests 300000 --seed 2", and the '
             f'first file is piece 1 {of}')
-    refused("check int_slabs --bits 12/12 --tests 30000000 --seed 2 --piece 3/8 --out c8/3.json",
+    refused("check int_slabs --bits 12/12 --tests 300000 --seed 2 --piece 3/8 --out c8/3.json",
             f'c8/3.json: holds piece 3 {of} by {program}, asked for is piece 3 '
             f'{of.replace("seed 1", "seed 2")} by {program}; give another file or remove it')
     refused(f"sweep --join {' '.join(files)} --out x.csv",

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "hls/box/fp_format.hpp"
@@ -54,11 +55,12 @@ inline std::ostream& operator<<(std::ostream& out, const DesignFormat& d) {
 }
 
 /// Every design of the catalogue, each at the formats of its family: n/t, n+g/p, floats, and in the integer
-/// world rays and triangles. Without a format of its family a design has its default one.
+/// world rays and triangles. Without a format of its family a design has its default one. The default one of
+/// int_ray takes tools ten times as long as any other; cores have it.
 inline std::vector<DesignFormat> every_design(const std::vector<std::string>& integers,
                                               const std::vector<std::string>& major = {"20+1/13"},
                                               const std::vector<std::string>& any_float = {"e8m23"},
-                                              const std::vector<std::string>& rays = {},
+                                              const std::vector<std::string>& rays = {"8+0/4s8"},
                                               const std::vector<std::string>& triangles = {}) {
   std::vector<DesignFormat> all;
   for (const Design& design : designs()) {
@@ -79,6 +81,21 @@ inline std::vector<DesignFormat> every_design() {
   return every_design({"24/24", "20/24", "16/16", "12/12", "6/6", "6/11", "32/6", "32/63"},
                       {"20+1/13", "16+0/8", "6+0/4", "12+2/10f1", "8+3/6f-1", "32+3/28"});
 }
+
+/// Each design once, at few bits: for tests that start a tool for each, of what does not depend on widths.
+inline std::vector<DesignFormat> every_small_design() {
+  return every_design({"6/6"}, {"6+0/4"}, {"e5m10"}, {"8+0/4s8"}, {"8+0s8"});
+}
+
+/// For its testbench in Icarus, which takes a second for a thousand vectors of a large unit.
+inline constexpr int few = 250;
+inline VectorSet few_vectors(const DesignFormat& d) {
+  constexpr std::uint64_t seed = 11;
+  return {seed,
+          {{"drawn", with_results(operand_vectors(d.found().ports(d.parsed()), few, seed),
+                                  d.found().evaluate(d.parsed()))}}};
+}
+inline const std::string few_passed = fmt::format("PASS {} vectors", few);
 
 /// "int_slabs_20_24", "int_major_8_3_6fm1".
 inline std::string design_suffix(const testing::TestParamInfo<DesignFormat>& info) {

@@ -73,7 +73,7 @@ TEST_P(WithoutFlowControl, TheManifestSaysSo) {
 TEST(LintWithoutFlowControl, IsSilent) {
   const ScratchFolder folder;
   std::vector<std::vector<std::string>> modules;
-  for (const DesignFormat& d : every_design({"20/24"})) {
+  for (const DesignFormat& d : every_small_design()) {
     const EmittedDesign unit =
         d.emitted({.flow_control = FlowControl::none, .axi_stream = true, .fifo = true});
     host::write_files(folder.path(), unit.files());
@@ -82,8 +82,7 @@ TEST(LintWithoutFlowControl, IsSilent) {
   expect_silent_tools(folder.path(), modules, "; select -assert-none t:$dlatch");
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, WithoutFlowControl, testing::ValuesIn(every_design({"20/24"})),
-                         design_suffix);
+INSTANTIATE_TEST_SUITE_P(Designs, WithoutFlowControl, testing::ValuesIn(every_small_design()), design_suffix);
 
 /// What the testbench says in Icarus about int_slabs 6/6 with a change in its Verilog.
 std::string verdict_on(const std::string& good, const std::string& bad) {

@@ -106,7 +106,7 @@ TEST(RaySlotsLint, IsSilent) {
     std::vector<std::vector<std::string>> modules;
     for (const DesignFormat& d : every_design({"20/24"})) {
       host::write_files(folder.path(), d.emitted({.ray_slots = slots}).files());
-      modules.push_back({d.design + "_slots", d.design});
+      modules.push_back({d.module() + "_slots", d.module()});
     }
     expect_silent_tools(folder.path(), modules, "; select -assert-none t:$dlatch");
   }
@@ -115,7 +115,7 @@ TEST(RaySlotsLint, IsSilent) {
 class RaySlotsOfDesign : public testing::TestWithParam<DesignFormat> {};
 
 TEST_P(RaySlotsOfDesign, LeavesTheUnitAndTellsOfItself) {
-  const std::string& design = GetParam().design;
+  const std::string design = GetParam().module();
   const EmittedDesign with = GetParam().emitted({.ray_slots = 33});
   expect_only_wrapper_added(GetParam().emitted(), with, "_slots", "ray_slots");
   const Json& slots = with.manifest->at("ray_slots");
@@ -151,8 +151,7 @@ TEST_P(RaySlotsOfDesign, LeavesTheUnitAndTellsOfItself) {
   EXPECT_THAT(core, HasSubstr("filesets: [rtl, slots]\n    toplevel: " + design + "_slots\n"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, RaySlotsOfDesign, testing::ValuesIn(every_design({"20/24"})),
-                         design_suffix);
+INSTANTIATE_TEST_SUITE_P(Designs, RaySlotsOfDesign, testing::ValuesIn(every_small_design()), design_suffix);
 
 /// What Yosys prints of the wrapper with 256 slots after a target's steps up to `until`. The unit is a black
 /// box. Beside block RAM the box, the tag and one valid bit have registers, and nothing else has.
