@@ -10,13 +10,13 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
-#include "cli/old_names.hpp"
 #include "cli/text/help.hpp"
 #include "cli/version.hpp"
 #include "host/ending.hpp"
@@ -127,10 +127,9 @@ int run(int argc, char** argv) {
       "  2  asked wrongly, or a file cannot be used");
   try {
     program.alias(argv[0]);  // commands that print commands call it so
-    RenamedWords line = renamed({argv + 1, argv + argc});
-    if (!line.notice.empty()) print_error(line.notice);
-    std::reverse(line.words.begin(), line.words.end());
-    program.parse(std::move(line.words));
+    std::vector<std::string> words(argv + 1, argv + argc);
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    program.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // help or version was asked for
     print_error(usage_error(program, error));

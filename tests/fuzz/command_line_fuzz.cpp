@@ -10,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/old_names.hpp"
 #include "cli/text/help.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "tests/fuzz/expect.hpp"
@@ -69,7 +68,7 @@ void parse_format(const std::string& word) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::vector<std::string> words = words_of({reinterpret_cast<const char*>(data), size});
-  static_cast<void>(parse(cli::renamed(words).words));
+  static_cast<void>(parse(words));
   for (const std::string& word : words) parse_format(word);
   return 0;
 }
