@@ -36,7 +36,7 @@ TEST(CoreFiles, OfEveryDesignNameItAndItsTargets) {
     for (const Json& target : core.at("targets"))
       EXPECT_FALSE(target.at("description").get<std::string>().empty());
     EXPECT_FALSE(core.at("filesets").contains("axis"));
-    EXPECT_EQ(core.at("targets").at("default").at("toplevel"), d.design);
+    EXPECT_EQ(core.at("targets").at("default").at("toplevel"), d.module());
   }
 }
 
