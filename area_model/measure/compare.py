@@ -54,7 +54,7 @@ def table_7_2():
 def modelled():
     """Every design that hitpipe has, family by family and format by format."""
     families = {}
-    for row in rows_of("designs"):
+    for row in rows_of("list", "designs"):
         formats = FORMATS.get(row["formats"].split()[0], [row["bits"]])
         families.setdefault(tuple(formats), []).append(row["design"])
     return [(design, bits) for formats, designs in families.items() for bits in formats for design in designs]

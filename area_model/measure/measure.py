@@ -81,7 +81,7 @@ endmodule
 
 def measurable():
     """The families of which this hitpipe writes the components."""
-    designs = [row["design"] for row in csv.DictReader(program.hitpipe("designs", "--format", "csv").splitlines())]
+    designs = [row["design"] for row in csv.DictReader(program.hitpipe("list", "designs", "--format", "csv").splitlines())]
     return {name: family for name, family in FAMILIES.items() if name not in SOURCES or SOURCES[name][0] in designs}
 
 
