@@ -182,8 +182,8 @@ TEST_F(ImplementCommand, TriesSeveralClocksAndTakesTheBest) {
   // Without a placement the fewest cells decide.
   const int cells = object.at("cells");
   for (const auto& row : tried) EXPECT_LE(cells, row.at("cells").get<int>());
-  EXPECT_TRUE(std::filesystem::exists(out_ / fmt::format("{}ps", object.at("clock_ps").get<int>()) /
-                                      "quick" / "int_slabs_6_6.v"));
+  EXPECT_TRUE(std::filesystem::exists(out_ / fmt::format("{}ps", object.at("clock_ps").get<int>()) / "quick" /
+                                      "int_slabs_6_6.v"));
   const Outcome on_board = run_hitpipe(
       {"implement", "--board", "icebreaker", "--clock-ps", "auto", "--out", (folder_.path() / "b").string()});
   EXPECT_EQ(on_board.exit_code, 2);

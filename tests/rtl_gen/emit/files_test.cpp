@@ -55,11 +55,12 @@ TEST(Emit, AddsTheTopFunctionOnlyWhenAsked) {
   for (const DesignFormat& d : every_design({"20/24"})) {
     if (find_design(d.design).source.pipeline.empty()) continue;  // it does not say where its C++ is
     const EmittedDesign with = d.emitted({.hls = true});
-    EXPECT_EQ(names_of(with.hls),
-              (std::vector<std::string>{"hls/" + d.module() + ".hpp", "hls/" + d.module() + ".cpp",
-                                        "hls/" + d.module() + "_csim.cpp", "hls/" + d.module() + "_vitis_hls.tcl",
-                                        "hls/" + d.module() + "_hls.cfg", "hls/" + d.module() + "_catapult.tcl",
-                                        "hls/" + d.module() + "_bambu.sh"}))
+    EXPECT_EQ(
+        names_of(with.hls),
+        (std::vector<std::string>{"hls/" + d.module() + ".hpp", "hls/" + d.module() + ".cpp",
+                                  "hls/" + d.module() + "_csim.cpp", "hls/" + d.module() + "_vitis_hls.tcl",
+                                  "hls/" + d.module() + "_hls.cfg", "hls/" + d.module() + "_catapult.tcl",
+                                  "hls/" + d.module() + "_bambu.sh"}))
         << d;
     std::vector<std::string> names = names_of(with.files());
     std::erase_if(names, [](const std::string& name) { return name.starts_with("hls/"); });

@@ -72,6 +72,8 @@ TEST_P(Wrapped, EveryModulePassesItsTestbench) {
   for (const Choice& choice : {Choice{.flow = FlowControl::none, .slots = slots, .axi_stream = true},
                                Choice{.flow = FlowControl::none, .slots = slots, .interval = 3},
                                Choice{.slots = slots, .axi_stream = true, .interval = 2}}) {
+    // Wrappers of a design that has one large format are those of all others.
+    if (GetParam().parsed().family().single && choice.interval > 1) continue;
     const EmittedDesign unit = emitted(GetParam(), choice);
     const ScratchFolder folder;
     host::write_files(folder.path(), unit.files());
