@@ -136,6 +136,21 @@ TEST(MachineRecord, TheOrderOfStatementsMeansNothing) {
   EXPECT_EQ(verilog_lines(graph<Variant::usual>()), verilog_lines(graph<Variant::swapped>()));
 }
 
+TEST(MachineRecord, AHeldFieldIsARegisterWithItsNameWidthAndSign) {
+  const hls::Field held = hls::held<hls::record_test::y>.shape(hls::CoreBits{});
+  EXPECT_EQ(std::string(held.name), "y_1");
+  EXPECT_EQ(held.width, 6);
+  EXPECT_TRUE(held.is_signed);
+  EXPECT_FALSE(held.has_reset);
+}
+
+TEST(MachineRecord, JoinedListsHaveEachFieldOnce) {
+  using hls::record_test::x, hls::record_test::y, hls::record_test::enters;
+  using Both = hls::Join<hls::List<x, y>, hls::List<enters, x>>;
+  EXPECT_EQ(Both::count, 3U);
+  EXPECT_TRUE((std::is_same_v<Both::Items, hls::List<x, y, enters>>));
+}
+
 TEST(MachineRecord, ARegisterThatIsNotWrittenKeepsItsValue) {
   const MachineGraph machine = graph<Variant::usual>();
   const auto& outputs = machine.graph.outputs();
