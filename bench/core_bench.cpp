@@ -1,5 +1,5 @@
 // Cycles a second of a core as Verilog and as C++, which run by turns: of each the fastest run. The memory
-// around the core and the rays are those of `hitpipe trace`; making the rays and the core is not timed.
+// around the core and the rays are those of `hitpipe core trace`; making the rays and the core is not timed.
 #include <algorithm>
 #include <array>
 #include <chrono>

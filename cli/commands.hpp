@@ -1,4 +1,4 @@
-// The commands in the order of the help, each with what a user wants of it. To add one, add its line here and
+// The commands in the order of the help, each with what a user wants of it; the help lists none without. To add one, add its line here and
 // write commands/NAME_command.cpp.
 #pragma once
 
@@ -8,19 +8,28 @@
   COMMAND("Take a unit", rtl)              \
   COMMAND("Take a unit", operands)         \
   COMMAND("Take a unit", list)             \
-  COMMAND("Take a unit", image)            \
   COMMAND("Judge it", check)               \
   COMMAND("Judge it", cosim)               \
   COMMAND("Judge it", render)              \
   COMMAND("Judge it", bvh)                 \
-  COMMAND("Judge it", trace)               \
   COMMAND("Choose it", area)               \
   COMMAND("Choose it", sweep)              \
   COMMAND("Choose it", fit)                \
   COMMAND("Choose it", report)             \
   COMMAND("Put it onto a chip", implement) \
   COMMAND("Put it onto a chip", board)     \
-  COMMAND("The thesis", table)
+  COMMAND("Take a whole core", core)       \
+  COMMAND("The thesis", table)             \
+  COMMAND("", help)
+
+/// The commands of `core`; the files are commands/core_NAME_command.cpp.
+#define HITPIPE_CORE_COMMANDS(COMMAND)     \
+  COMMAND("Take it", rtl)                  \
+  COMMAND("Take it", image)                \
+  COMMAND("Judge it", trace)               \
+  COMMAND("Choose it", area)               \
+  COMMAND("Put it onto a chip", implement) \
+  COMMAND("Put it onto a chip", board)
 
 namespace hitpipe::cli {
 
@@ -29,6 +38,10 @@ namespace hitpipe::cli {
 #define HITPIPE_DECLARE_COMMAND(purpose, name) \
   CLI::App* add_##name##_command(CLI::App& program, int& exit_code);
 HITPIPE_COMMANDS(HITPIPE_DECLARE_COMMAND)
+#undef HITPIPE_DECLARE_COMMAND
+#define HITPIPE_DECLARE_COMMAND(purpose, name) \
+  CLI::App* add_core_##name##_command(CLI::App& core, int& exit_code);
+HITPIPE_CORE_COMMANDS(HITPIPE_DECLARE_COMMAND)
 #undef HITPIPE_DECLARE_COMMAND
 
 /// Adds all commands.

@@ -92,19 +92,20 @@ std::string not_expected(const CLI::App& command) {
 
 /// What is wrong with the command line, and which help tells more.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
-  const auto commands = program.get_subcommands();
-  if (!commands.empty()) {
-    const std::string unknown = not_expected(*commands.front());
-    return fmt::format("{}; see hitpipe {} --help", unknown.empty() ? error.what() : unknown,
-                       commands.front()->get_name());
+  const CLI::App* command = &program;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  std::string wrong;
+  if (command->get_subcommands({}).empty()) {
+    const std::string unknown = not_expected(*command);
+    wrong = unknown.empty() ? error.what() : unknown;
+  } else {
+    const std::vector<std::string> unknown = command->remaining();
+    wrong = fmt::format(
+        "{}; there are: {}",
+        unknown.empty() ? "a command is needed" : host::shortened(unknown.front()) + ": no such command",
+        command_names(*command));
   }
-  std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
-  const std::vector<std::string> unknown = program.remaining();
-  return fmt::format(
-      "{}; there are: {}; see hitpipe --help",
-      unknown.empty() ? "a command is needed" : host::shortened(unknown.front()) + ": no such command",
-      fmt::join(names, ", "));
+  return fmt::format("{}; see {} --help", wrong, full_name(*command));
 }
 
 }  // namespace
@@ -119,7 +120,7 @@ int run(int argc, char** argv) {
   int exit_code = 0;
   add_commands(program, exit_code);
   program.footer(
-      "hitpipe COMMAND --help tells more of each. A first try:\n"
+      "`hitpipe help COMMAND` tells more of each. A first try:\n"
       "  hitpipe cosim int_slabs --scene spheres --out out\n"
       "Exit codes:\n"
       "  0  good\n"

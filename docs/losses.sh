@@ -24,7 +24,7 @@ for scene in spheres poppy statue city reading_room "$folder/slivers.obj"; do
   printf '| %s | %d | %.0f | %d |' "$(cell scene "$row")" $(($(cell triangles "$row") + lost)) \
     "$(cell mesh_share_of_cube_pct "$row")" "$lost"
   for n in 24 20 16 12 8; do
-    row=$(build/hitpipe image --scene "$scene" --bits "$n+1s$n" --format csv 2>/dev/null)
+    row=$(build/hitpipe core image --scene "$scene" --bits "$n+1s$n" --format csv 2>/dev/null)
     printf ' %d |' "$(cell lost_to_rounding "$row")"
   done
   echo

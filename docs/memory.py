@@ -53,7 +53,7 @@ def swept(scene):
 
 def imaged(scene):
     """The same of the core."""
-    row = json.loads(run("image", "--scene", scene, "--width", size, "--height", size, "--stack", "8", "--cache", "4,16,64",
+    row = json.loads(run("core", "image", "--scene", scene, "--width", size, "--height", size, "--stack", "8", "--cache", "4,16,64",
                          "--format", "json"))[0]
     return [row["bytes_a_ray" + each] for each in MEMORY], 2 * row["records_a_ray"], row["triangles_a_ray"]
 

@@ -10,12 +10,11 @@
 #include "area_model/price.hpp"
 #include "area_model/triangle_unit.hpp"
 #include "cli/commands.hpp"
-#include "cli/commands/cores.hpp"
 #include "cli/commands/machines.hpp"
-#include "cli/options/core_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/area_text.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/component/library.hpp"
 
@@ -29,7 +28,6 @@ using area::Price;
 
 struct AreaOptions {
   DesignsChoice units;
-  CoreChoice core;
   Account account = Account::built;
   rtl::FlowControl flow_control = rtl::FlowControl::stall;
   std::string library{rtl::default_library};
@@ -301,7 +299,7 @@ void print_prices(const AreaOptions& options) {
 
 CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command =
-      program.add_subcommand("area", "Price designs: area, stages, delay, lookup tables of a chip");
+      program.add_subcommand("area", "Price units or machines: area, stages, delay, cells of a chip");
   const auto options = std::make_shared<AreaOptions>();
   CLI::Option* const designs = add_designs_option(*command, options->units, "the six of Table 7.2");
   add_bits_option(*command, options->units, "each design's own")->needs(designs);
@@ -322,18 +320,9 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
           by_stage, "a shared component works in several stages");
   command->add_flag("--triangle", options->triangle,
                     "Price a float triangle test too, which hitpipe does not emit");
-  const std::vector<std::string> of_core = add_one_core_options(*command, options->core);
-  command->callback([options, flow, command, of_core] {
-    const std::optional<std::string> bits =
-        options->units.bits.empty() ? std::nullopt : std::optional(options->units.bits.front());
-    std::vector<std::string> allowed{"design", "--bits", "--library", "--format"};
-    if (options->units.names == std::vector<std::string>{core_name}) {
-      allowed.insert(allowed.end(), of_core.begin(), of_core.end());
-      allow_only(*command, "core is a core", allowed);
-      print_core_price(options->core.core(bits), options->library, options->format);
-      return;
-    }
-    refuse_core_options(*command, of_core);
+  of_units(*command, {"--account", "--block-luts", "--flow-control", "--by-stage", "--ii", "--triangle"});
+  add_examples(*command, {"hitpipe area", "hitpipe area int_slabs,int_major --library ice40 --ii 1,4"});
+  command->callback([options, flow, command] {
     if (flow->count() > 0 && options->account == Account::printed)
       throw std::runtime_error(
           "--flow-control: the printed account counts latches as the thesis does; allowed with --account "
@@ -343,8 +332,10 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
       print_prices(*options);
       return;
     }
-    allow_only(*command, fmt::format("{} is a machine", machines.front()->name), allowed);
-    print_machine_prices(machines, bits, options->library, options->format);
+    refuse_of_units(*command, *machines.front());
+    print_machine_prices(
+        machines, options->units.bits.empty() ? std::nullopt : std::optional(options->units.bits.front()),
+        options->library, options->format);
   });
   return command;
 }

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/commands/cores.hpp"
 #include "cli/text/implementation_text.hpp"
 #include "cli/text/progress.hpp"
 #include "rtl_gen/catalogue/format.hpp"

@@ -8,15 +8,13 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/commands/board_core.hpp"
-#include "cli/commands/cores.hpp"
-#include "cli/commands/machines.hpp"
 #include "cli/options/board_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
@@ -46,7 +44,6 @@ struct BoardCommand {
   std::uint64_t tests = 10'000;
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> only;
-  std::string out;  ///< of a core's picture; empty: no picture is written
   OutputFormat format = OutputFormat::text;
 };
 
@@ -142,7 +139,7 @@ int stream(const BoardCommand& command) {
   return 1;
 }
 
-int simulate(const BoardCommand& command) {
+int be_the_board(const BoardCommand& command) {
   const DesignChoice unit = command.board.unit(command.choice);
   const rtl::Design& design = unit.design();
   const rtl::Format format = unit.format();
@@ -171,29 +168,6 @@ int simulate(const BoardCommand& command) {
   return 0;
 }
 
-int core_command(const BoardCommand& command, const CLI::App& parsed) {
-  const BoardCore core{.bits = command.choice.bits,
-                       .board = command.board,
-                       .port = command.port,
-                       .scene = command.scene,
-                       .hierarchy = command.hierarchy,
-                       .out = command.out,
-                       .format = command.format};
-  std::vector<std::string> allowed{"design", "--bits", "--board", "--format"};
-  if (command.simulate) {
-    allowed.emplace_back("--simulate");
-    allow_only(parsed, "core is simulated", allowed);
-    return simulate_core(core);
-  }
-  allowed.insert(allowed.end(), {"--port", "--baud", "--out"});
-  for (const std::string& name : scene_option_names()) allowed.push_back(name);
-  for (const std::string_view name : hierarchy_option_names())
-    if (name != "--padding") allowed.emplace_back(name);
-  allow_only(parsed, "core is a core", allowed);
-  if (core.scene.name.empty()) throw std::runtime_error("board core: give a --scene");
-  return trace_by_board(core);
-}
-
 }  // namespace
 
 CLI::App* add_board_command(CLI::App& program, int& exit_code) {
@@ -202,17 +176,13 @@ CLI::App* add_board_command(CLI::App& program, int& exit_code) {
   const auto options = std::make_shared<BoardCommand>();
   add_design_options(*command, options->choice);
   command->get_option("design")->required(false)->description(
-      "A name that `hitpipe list designs` shows, or core. Default: the unit that `hitpipe implement` puts on "
-      "the board");
-  const CLI::Option* const port =
-      command->add_option("--port", options->port, "The board's serial port, for example /dev/ttyUSB1")
-          ->type_name("DEVICE");
+      "A name that `hitpipe list designs` shows. Default: the unit that `hitpipe implement` puts on the "
+      "board");
+  CLI::Option* const port = add_port_option(*command, options->port);
   add_board_option(*command, options->board, "The board, which tells the usual rate")->capture_default_str();
   add_baud_option(*command, options->board);
-  exclude(command->add_flag("--simulate", options->simulate,
-                            "Be the board: run its Verilog behind a pseudo-terminal and print the name of "
-                            "that, until interrupted"),
-          port, "the simulated board has a port of its own");
+  CLI::Option* const simulate = add_simulate_option(*command, options->simulate);
+  needs_one_of(*command, {port, simulate});
   add_large_count_option(*command, "--tests", options->tests, 1, 10'000'000'000,
                          "Number of tests (1 to 10^10; without --scene to 10^6)");
   add_seed_option(*command, options->seed);
@@ -223,21 +193,14 @@ CLI::App* add_board_command(CLI::App& program, int& exit_code) {
   command->get_option("--scene")->required(false);
   add_hierarchy_options(*command, options->hierarchy);
   add_light_options(*command, options->light);
-  add_folder_option(
-      *command, options->out,
-      "Of a core: folder for the picture that the answers make, SCENE.png; written when all are "
-      "right");
+  exclude_all_but(*command, simulate, {"design", "--bits", "--board", "--format"},
+                  "the other side sends the tests");
   add_format_option(*command, options->format);
-  command->callback([options, command, &exit_code] {
+  add_examples(*command,
+               {"hitpipe board --port /dev/ttyUSB1 --tests 100000", "hitpipe board int_slabs --simulate"});
+  command->callback([options, &exit_code] {
     options->hierarchy.build.threads = options->scene.threads;
-    if (!options->simulate && options->port.empty())
-      throw std::runtime_error("board: give the board's --port, or --simulate to be one");
-    if (options->choice.name == core_name) {
-      exit_code = core_command(*options, *command);
-      return;
-    }
-    refuse_core_options(*command, {"--out"});
-    exit_code = options->simulate ? simulate(*options) : stream(*options);
+    exit_code = options->simulate ? be_the_board(*options) : stream(*options);
   });
   return command;
 }

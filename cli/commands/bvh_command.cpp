@@ -16,6 +16,7 @@
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
@@ -236,6 +237,8 @@ CLI::App* add_bvh_command(CLI::App& program, int& /*exit_code*/) {
   for (const char* const other : {"--max-triangles", "--bvh", "--out", "--records"})
     exclude(sweep, command->get_option(other), "it builds a hierarchy for each leaf size");
   add_format_option(*command, options->format);
+  add_examples(*command,
+               {"hitpipe bvh --scene statue", "hitpipe bvh --scene spheres --builder sah --out spheres.bvh"});
   command->callback([options, records] {
     if (records->count() == 0 && (!options->unit.name.empty() || options->unit.bits))
       throw std::runtime_error("bvh: a design and --bits belong to --records; give --records FILE");

@@ -18,6 +18,7 @@
 #include "cli/pieces/pieces.hpp"
 #include "cli/text/check_report.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "hls/num/bits.hpp"
@@ -236,6 +237,8 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
   command->get_option("--plot-width")->needs(out);
   for (const char* const other : {"--pieces", "--piece", "--join"})
     exclude(command->get_option("--replay"), command->get_option(other), "it judges one case");
+  add_examples(*command, {"hitpipe check int_slabs --tests 100000",
+                          "hitpipe check --stiff --scene spheres --out stiff"});
   command->callback([options, stiff, tests, command, &exit_code] {
     if (!options->pieces.join.empty()) {
       exit_code = join(*options, *command);

@@ -17,6 +17,7 @@
 #include "cli/options/values.hpp"
 #include "cli/text/answers_file.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
@@ -263,6 +264,8 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
   add_format_option(*command, options->format);
   const auto moves = std::make_shared<RescaleChoice>();
   add_rescale_options(*command, *moves, {"design", "--bits"});
+  add_examples(*command, {"hitpipe cosim int_slabs --scene spheres --out out",
+                          "hitpipe cosim int_major --bits 16+1/11s16 --scene terrain --referee"});
   command->callback([options, moves, command, &exit_code] {
     moves->build = options->hierarchy.build;
     moves->build.threads = options->hierarchy.build.threads = options->scene.threads;

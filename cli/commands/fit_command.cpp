@@ -17,6 +17,7 @@
 #include "cli/options/values.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "cli/text/fit_text.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "host/files.hpp"
@@ -299,6 +300,8 @@ CLI::App* add_fit_command(CLI::App& program, int& exit_code) {
   add_folder_option(*command, options->out, "Folder for each design's Verilog, manifest and testbench")
       ->required();
   add_format_option(*command, options->format);
+  add_examples(*command, {"hitpipe fit int_slabs --scene spheres --out fitted",
+                          "hitpipe fit --scene terrain --overhead 2 --out fitted"});
   command->callback([options, &exit_code] {
     options->hierarchy.build.threads = options->scene.threads;
     exit_code = fit(*options);

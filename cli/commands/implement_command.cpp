@@ -8,12 +8,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/commands/board_chips.hpp"
-#include "cli/commands/cores.hpp"
-#include "cli/commands/machines.hpp"
 #include "cli/options/board_options.hpp"
-#include "cli/options/core_options.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/implement_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/implementation_text.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
@@ -36,12 +35,10 @@ constexpr const char* automatic = "auto";
 
 struct ImplementCommand {
   DesignChoice choice;
-  CoreChoice core;
   std::string target;
   BoardChoice board;
   sim::ImplementOptions options;
   bool tries_clocks = false;
-  std::string out;
   OutputFormat format = OutputFormat::text;
 };
 
@@ -97,7 +94,7 @@ std::vector<TriedClock> try_clocks(const ImplementCommand& command, const sim::T
   for (const int clock_ps : sim::clocks_to_try(design.trace(format), library, most_clocks)) {
     sim::ImplementOptions options = given;
     options.clock_ps = clock_ps;
-    options.folder = fs::path(command.out) / fmt::format("{}ps", clock_ps);
+    options.folder = command.options.folder / fmt::format("{}ps", clock_ps);
     options.progress = [&](const std::string& step) {
       given.progress(fmt::format("{} ps: {}", clock_ps, step));
     };
@@ -136,31 +133,18 @@ std::string clock_table(const std::vector<TriedClock>& tried) {
   return table_text(rows, OutputFormat::text) + below + "\n";
 }
 
-void check_named(const ImplementCommand& command) {
-  if (command.choice.name.empty() || command.target.empty())
-    throw std::runtime_error("implement: name a design and a --target, or a --board");
-}
-
 int implement(const ImplementCommand& command) {
   if (!command.board.name.empty()) {
-    sim::ImplementOptions options = command.options;
-    options.folder = command.out;
-    const std::string target = command.board.board().target;
     if (command.tries_clocks)
       throw std::runtime_error(
           fmt::format("--clock-ps {}: {} has a clock of its own; leave the option out or give a number",
                       automatic, command.board.name));
-    if (!command.target.empty() && command.target != target)
-      throw std::runtime_error(
-          fmt::format("--target {}: the chip on {} is {}", command.target, command.board.name, target));
-    return implement_on_board(command.choice, command.board, options, command.format);
+    return implement_on_board(command.choice, command.board, command.options, command.format);
   }
-  check_named(command);
   const rtl::Design& design = command.choice.design();
   const rtl::Format format = command.choice.format();
   const sim::Target target = sim::target_called(command.target);
   sim::ImplementOptions options = command.options;
-  options.folder = command.out;
   std::optional<Progress> progress;
   options.progress = [&](const std::string& step) { progress.emplace(step); };
   std::vector<TriedClock> tried;
@@ -172,7 +156,7 @@ int implement(const ImplementCommand& command) {
   progress.reset();
 
   Row row = record(command, target, unit);
-  const fs::path folder = fs::path(tried.empty() ? command.out : best->folder) / target.name;
+  const fs::path folder = (tried.empty() ? options.folder : fs::path(best->folder)) / target.name;
   if (!tried.empty()) {
     row["clock_ps"] = best->clock_ps;
     row["tried"] = clock_rows(tried);
@@ -194,31 +178,21 @@ int implement(const ImplementCommand& command) {
 }  // namespace
 
 CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand(
-      "implement", "Map a unit or a core to a chip or standard cells: counts, clock, netlist");
+  CLI::App* const command =
+      program.add_subcommand("implement", "Map a unit to a chip or standard cells: counts, clock, netlist");
   const auto options = std::make_shared<ImplementCommand>();
   sim::ImplementOptions& how = options->options;
   add_design_options(*command, options->choice);
-  command->get_option("design")->required(false)->description(
-      "A name that `hitpipe list designs` shows, or core. Default: the usual unit of the board");
-  as_input(command->add_option("--target", options->target,
-                               fmt::format("A built-in target ({}) or a file NAME.json; a board has its own",
-                                           fmt::join(sim::target_names(), ", "))))
-      ->type_name("NAME|FILE");
+  CLI::Option* const design = command->get_option("design")->required(false);
+  design->description("A name that `hitpipe list designs` shows. Default: the usual unit of the board");
+  CLI::Option* const target = add_target_option(*command, options->target)->needs(design);
   CLI::Option* const board =
       add_board_option(*command, options->board,
                        "Make a bitstream for a board, in which the unit stands behind a serial line");
+  exclude(target, board, "a board has a target of its own");
+  needs_one_of(*command, {target, board});
   add_baud_option(*command, options->board)->needs(board);
-  add_folder_option(
-      *command, options->out,
-      "Folder; the unit and the tools' files go to a folder in it that is named after the target")
-      ->required();
-  as_input(command->add_option(
-               "--library", how.library,
-               fmt::format("Component library that drives the schedule, a built-in one ({}) or a file "
-                           "NAME.json. Default: the target's",
-                           fmt::join(rtl::built_in_names(), ", "))))
-      ->type_name("NAME|FILE");
+  add_implement_options(*command, how);
   add_block_luts_option(*command, how.block_luts);
   command
       ->add_option_function<std::string>(
@@ -239,15 +213,9 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
           },
           ""))
       ->type_name("PS|auto");
-  command->add_option("--name", how.module, "Name of the Verilog module. Default: as `hitpipe rtl` names it")
-      ->type_name("MODULE");
   add_flow_control_option(*command, how.flow_control);
   add_interval_option(*command, how.interval);
-  add_count_option(
-      *command, "--seeds", how.seeds, {0, 100},
-      "Place with seeds 1 to N; prints the clock of the median and of the best seed. With 0 the unit is "
-      "not placed")
-      ->capture_default_str();
+  add_seeds_option(*command, how.seeds, ". With 0 the unit is not placed");
   exclude(add_count_option(
               *command, "--simulate", how.simulate, {1, 10'000'000},
               "Simulate the mapped netlist with N vectors, as `hitpipe rtl --vectors` chooses them, and "
@@ -258,44 +226,10 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
       {{"icarus", sim::Simulator::icarus}, {"verilator", sim::Simulator::verilator}},
       "What simulates the netlist");
   add_seed_option(*command, how.seed);
-  std::vector<std::string> of_core = add_core_port_options(*command, options->core);
-  for (const std::string& name : add_one_core_options(*command, options->core)) of_core.push_back(name);
   add_format_option(*command, options->format);
-  command->callback([options, command, of_core, &exit_code] {
-    if (options->choice.name != core_name) {
-      refuse_core_options(*command, of_core);
-      exit_code = implement(*options);
-      return;
-    }
-    if (!options->board.name.empty()) {
-      allow_only(*command, "core is the core of the board",
-                 {"design", "--bits", "--board", "--baud", "--out", "--library", "--name", "--seeds",
-                  "--format", "--clock-ps"});
-      if (options->tries_clocks)
-        throw std::runtime_error("--clock-ps auto: allowed with a unit; of a core give a number");
-      options->options.folder = options->out;
-      exit_code =
-          implement_core_on_board(options->choice.bits, options->board, options->options, options->format);
-      return;
-    }
-    std::vector<std::string> allowed{"design", "--bits",  "--target", "--out",     "--library",
-                                     "--name", "--seeds", "--format", "--clock-ps"};
-    allowed.insert(allowed.end(), of_core.begin(), of_core.end());
-    allow_only(*command, "core is a core", allowed);
-    check_named(*options);
-    int& seeds = options->options.seeds;
-    if (command->count("--seeds") > 0 && seeds != 0)
-      throw std::runtime_error(fmt::format(
-          "--seeds {}: a core alone has more pins than a chip that is placed; allowed is 0, or a --board",
-          seeds));
-    seeds = 0;
-    if (options->tries_clocks)
-      throw std::runtime_error("--clock-ps auto: allowed with a unit; of a core give a number");
-    options->core.options.clock_ps = options->options.clock_ps;
-    options->options.folder = options->out;
-    exit_code = map_core(options->core.core(options->choice.bits), options->target, options->options,
-                         options->format);
-  });
+  add_examples(*command, {"hitpipe implement int_slabs --target ice40_up5k --out chip",
+                          "hitpipe implement int_major --target xc7 --simulate 1000 --out chip"});
+  command->callback([options, &exit_code] { exit_code = implement(*options); });
   return command;
 }
 

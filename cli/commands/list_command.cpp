@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/commands/machines.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/table.hpp"
 #include "host/text.hpp"
 #include "rtl_gen/catalogue/design.hpp"
@@ -98,6 +99,7 @@ CLI::App* add_list_command(CLI::App& program, int& /*exit_code*/) {
                              "What to list")
       ->required();
   add_format_option(*command, options->format);
+  add_examples(*command, {"hitpipe list designs", "hitpipe list scenes --format json"});
   command->callback([options] { fmt::print("{}", options->listing(options->format)); });
   return command;
 }

@@ -1,12 +1,10 @@
 #include "cli/commands/machines.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "area_model/figure.hpp"
 #include "area_model/price.hpp"
@@ -18,6 +16,9 @@
 namespace hitpipe::cli {
 
 namespace {
+
+/// The heading in the help.
+constexpr const char* units_only = "Options of a unit";
 
 rtl::Format format_of(const rtl::Machine& machine, const std::optional<std::string>& bits) {
   return bits ? machine.parse_format(*bits) : machine.default_format;
@@ -83,13 +84,15 @@ std::string machines_text(OutputFormat format) {
   return table_text(rows, format);
 }
 
-void allow_only(const CLI::App& command, const std::string& what, const std::vector<std::string>& allowed) {
-  for (const CLI::Option* const option : command.get_options()) {
-    const std::string name = option->get_name();
-    if (option->count() == 0 || std::find(allowed.begin(), allowed.end(), name) != allowed.end()) continue;
-    throw std::runtime_error(
-        fmt::format("{}: {}; allowed with one are {}", name, what, fmt::join(allowed, ", ")));
-  }
+void of_units(CLI::App& command, const std::vector<std::string>& names) {
+  for (const std::string& name : names) command.get_option(name)->group(units_only);
+}
+
+void refuse_of_units(const CLI::App& command, const rtl::Machine& machine) {
+  for (const CLI::Option* const option : command.get_options())
+    if (option->count() > 0 && option->get_group() == units_only)
+      throw std::runtime_error(
+          fmt::format("{}: {} is a machine; only a unit has this option", option->get_name(), machine.name));
 }
 
 }  // namespace hitpipe::cli

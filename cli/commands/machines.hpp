@@ -36,8 +36,9 @@ void print_machine_prices(const std::vector<const rtl::Machine*>& machines,
 
 [[nodiscard]] std::string machines_text(OutputFormat format);
 
-/// Throws std::runtime_error, one line, when one of the command's options was given that is not among
-/// `allowed`. `what` is what the command was given: "door is a machine".
-void allow_only(const CLI::App& command, const std::string& what, const std::vector<std::string>& allowed);
+/// Puts these options of a command under a heading of their own: a unit has them, a machine has not.
+void of_units(CLI::App& command, const std::vector<std::string>& names);
+/// Throws std::runtime_error, one line, when one of them was given for a machine.
+void refuse_of_units(const CLI::App& command, const rtl::Machine& machine);
 
 }  // namespace hitpipe::cli

@@ -17,6 +17,7 @@
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
@@ -192,6 +193,8 @@ CLI::App* add_operands_command(CLI::App& program, int& exit_code) {
                    "Number of threads; results do not depend on it")
       ->capture_default_str();
   add_format_option(*command, options->format);
+  add_examples(*command, {"hitpipe operands int_slabs --rays rays.csv --boxes boxes.csv --out tests.csv",
+                          "hitpipe operands fp_slabs --operands tests.csv --out results.csv"});
   command->callback([options, command, &exit_code] { exit_code = make_operands(*options, *command); });
   return command;
 }

@@ -17,6 +17,7 @@
 #include "cli/options/world_options.hpp"
 #include "cli/text/answers_file.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
@@ -228,7 +229,8 @@ void render_scene(const RenderCommand& command) {
       command.trace.world == World::floats ? command.trace.options() : ref::TracerOptions{};
   if (!command.caches.kib.empty() && command.trace.world == World::integers)
     throw std::runtime_error(
-        "--cache: not for --world integer; `hitpipe image --stack` and `hitpipe trace --cache` count its "
+        "--cache: not for --world integer; `hitpipe core image --stack` and `hitpipe core trace --cache` "
+        "count its "
         "reads");
   std::optional<Progress> progress("reading the scene and its hierarchy");
   Traced traced;
@@ -332,6 +334,8 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
   command->get_option("--scene")->required(false);
   exclude_all_but(*command, compares, {"image", "--tolerance", "--out", "--format"},
                   "two images are compared, and nothing is rendered");
+  add_examples(*command, {"hitpipe render --scene spheres --out spheres.png",
+                          "hitpipe render --scene terrain --box-map boxes.png"});
   command->callback([options, command, &exit_code] {
     const std::size_t images = options->compare ? 2 : 0;
     if (options->images.size() != images)

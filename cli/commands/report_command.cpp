@@ -20,6 +20,7 @@
 #include "cli/report/report_sections.hpp"
 #include "cli/report/report_sweep.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/last_line.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
@@ -350,6 +351,8 @@ CLI::App* add_report_command(CLI::App& program, int& exit_code) {
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
   add_plot_width_option(*command, options->plots);
   add_format_option(*command, options->format);
+  add_examples(*command, {"hitpipe report --scene spheres --out report",
+                          "hitpipe report int_slabs,int_major --scene terrain --out report"});
   command->callback([options, command, &exit_code] {
     options->hierarchy.build.threads = options->scene.threads;
     exit_code = report(*options, *command);

@@ -5,11 +5,10 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/commands/cores.hpp"
 #include "cli/commands/machines.hpp"
-#include "cli/options/core_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
@@ -17,7 +16,6 @@
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/names.hpp"
-#include "sim/core/core_vectors.hpp"
 #include "sim/vectors/design_vectors.hpp"
 
 namespace hitpipe::cli {
@@ -26,7 +24,6 @@ namespace {
 
 struct RtlOptions {
   DesignChoice choice;
-  CoreChoice core;
   std::string out;
   std::string library{rtl::default_library};
   std::optional<int> block_luts;
@@ -92,21 +89,27 @@ void emit_rtl(const RtlOptions& options) {
 
 CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command =
-      program.add_subcommand("rtl", "Write a design's Verilog, manifest, schematics and testbench");
+      program.add_subcommand("rtl", "Write a unit's or a machine's Verilog, pictures and testbench");
   const auto options = std::make_shared<RtlOptions>();
   add_design_options(*command, options->choice);
   add_folder_option(*command, options->out, "Folder to write to; made if it is not there")->required();
   add_library_option(*command, options->library);
-  add_block_luts_option(*command, options->block_luts);
-  add_count_option(*command, "--clock-ps", options->clock_ps, {1, 1'000'000'000},
-                   "Clock period in picoseconds; by default what the slowest component needs, on iCE40 up to "
-                   "a quarter more");
-  add_interval_option(*command, options->interval);
   command
       ->add_option("--name", options->name,
                    "Name of the Verilog module, which also begins the names of all files. Default: the "
                    "design's name, with the format behind it unless that is the design's default")
       ->type_name("MODULE");
+  CLI::Option* const cycles =
+      add_count_option(*command, "--vectors", options->vectors, {1, 10'000'000},
+                       "Vectors of the testbench; of a machine its cycles, by default 2000")
+          ->capture_default_str();
+  add_seed_option(*command, options->seed);
+  add_format_option(*command, options->format);
+  add_block_luts_option(*command, options->block_luts);
+  add_count_option(*command, "--clock-ps", options->clock_ps, {1, 1'000'000'000},
+                   "Clock period in picoseconds; by default what the slowest component needs, on iCE40 up to "
+                   "a quarter more");
+  add_interval_option(*command, options->interval);
   CLI::Option* const flow =
       add_flow_control_option(*command, options->flow_control,
                               ". Default with --fifo: none; with --axi-stream: what needs less area");
@@ -122,47 +125,24 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   command->add_flag("--hls", options->hls,
                     "Also write hls/: the design as a C++ top function for high-level synthesis, with "
                     "scripts for Vitis HLS, Catapult and Bambu");
-  CLI::Option* const cycles =
-      add_count_option(*command, "--vectors", options->vectors, {1, 10'000'000},
-                       "Vectors of the testbench; of a machine its cycles, by default 2000")
-          ->capture_default_str();
-  add_seed_option(*command, options->seed);
-  std::vector<std::string> of_core = add_core_port_options(*command, options->core);
-  for (const auto& add : {add_core_bus_options, add_one_core_options})
-    for (const std::string& name : add(*command, options->core)) of_core.push_back(name);
-  add_format_option(*command, options->format);
-  command->callback([options, command, flow, cycles, of_core] {
+  of_units(*command, {"--block-luts", "--clock-ps", "--ii", "--flow-control", "--axi-stream", "--fifo",
+                      "--ray-slots", "--hls"});
+  add_examples(*command, {"hitpipe rtl int_slabs --out unit",
+                          "hitpipe rtl int_major --bits 16+1/11s16 --axi-stream --out unit"});
+  command->callback([options, command, flow, cycles] {
     options->flow_control_given = flow->count() > 0;
-    const bool cycles_given = cycles->count() > 0;
-    std::vector<std::string> allowed{"design", "--bits",    "--out",  "--library",
-                                     "--name", "--vectors", "--seed", "--format"};
-    if (options->choice.name == core_name) {
-      allowed.emplace_back("--clock-ps");
-      allowed.insert(allowed.end(), of_core.begin(), of_core.end());
-      allow_only(*command, "core is a core", allowed);
-      options->core.options.clock_ps = options->clock_ps;
-      emit_core(options->core.core(options->choice.bits),
-                {.out = options->out,
-                 .library = options->library,
-                 .module = options->name.value_or(""),
-                 .cycles = cycles_given ? options->vectors : sim::usual_core_cycles,
-                 .seed = options->seed,
-                 .format = options->format});
-      return;
-    }
     const rtl::Machine* const machine = rtl::machine_called(options->choice.name);
     if (machine == nullptr) {
-      refuse_core_options(*command, of_core);
       emit_rtl(*options);
       return;
     }
-    allow_only(*command, fmt::format("{} is a machine", machine->name), allowed);
+    refuse_of_units(*command, *machine);
     constexpr int usual_cycles = 2000;
     emit_machine(*machine, options->choice.bits,
                  {.out = options->out,
                   .library = options->library,
                   .module = options->name.value_or(""),
-                  .cycles = cycles_given ? options->vectors : usual_cycles,
+                  .cycles = cycles->count() > 0 ? options->vectors : usual_cycles,
                   .seed = options->seed,
                   .format = options->format});
   });

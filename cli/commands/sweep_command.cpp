@@ -21,6 +21,7 @@
 #include "cli/pieces/pieces.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/last_line.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
@@ -297,7 +298,7 @@ int join(const SweepCommand& command, const CLI::App& parsed) {
     return join_triangles(command, parsed);
   std::vector<PieceFile> pieces;
   for (const std::string& file : command.pieces.join) pieces.push_back(note_beside(file));
-  check_pieces(pieces, program_of(parsed), parsed.get_name());
+  check_pieces(pieces, program_of(parsed), full_name(parsed));
   std::vector<sim::SweepRow> rows;
   for (const PieceFile& piece : pieces) {
     std::vector<sim::SweepRow> its =
@@ -351,6 +352,8 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
   exclude(command->get_option("--answers"), command->get_option("--rows"),
           "their rays were traced elsewhere");
   exclude_answers_of_pieces(*command);
+  add_examples(*command, {"hitpipe sweep --scene spheres --out rows.csv",
+                          "hitpipe sweep int_major --scene terrain --ii 1,4 --out rows.csv"});
   command->callback([options, command, &exit_code] {
     options->hierarchy.build.threads = options->scene.threads;
     exit_code = options->pieces.join.empty() ? sweep(*options, *command) : join(*options, *command);

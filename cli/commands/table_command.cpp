@@ -9,6 +9,7 @@
 #include "cli/options/experiment_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/pieces/pieces.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
@@ -145,6 +146,7 @@ CLI::App* add_table_command(CLI::App& program, int& /*exit_code*/) {
       ->needs(judges);
   for (const char* const option : {"--pieces", "--piece", "--join"})
     command->get_option(option)->needs(judges);
+  add_examples(*command, {"hitpipe table 7.2", "hitpipe table --judge --out thesis.md"});
   command->callback([options, command] {
     if (!options->judge) return print_table(*options);
     options->pieces.join.empty() ? judge(*options, *command) : join(*options, *command);

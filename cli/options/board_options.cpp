@@ -25,4 +25,15 @@ CLI::Option* add_baud_option(CLI::App& command, BoardChoice& choice) {
                           "Bits a second on the serial line; without it the board's usual rate");
 }
 
+CLI::Option* add_port_option(CLI::App& command, std::string& port) {
+  return command.add_option("--port", port, "The board's serial port, for example /dev/ttyUSB1")
+      ->type_name("DEVICE");
+}
+
+CLI::Option* add_simulate_option(CLI::App& command, bool& simulate) {
+  return command.add_flag("--simulate", simulate,
+                          "Be the board: run its Verilog behind a pseudo-terminal and print the name of "
+                          "that, until interrupted");
+}
+
 }  // namespace hitpipe::cli

@@ -23,5 +23,8 @@ struct BoardChoice {
 CLI::Option* add_board_option(CLI::App& command, BoardChoice& choice, const std::string& what);
 /// --baud.
 CLI::Option* add_baud_option(CLI::App& command, BoardChoice& choice);
+/// --port, of the board, and --simulate, which is the board.
+CLI::Option* add_port_option(CLI::App& command, std::string& port);
+CLI::Option* add_simulate_option(CLI::App& command, bool& simulate);
 
 }  // namespace hitpipe::cli

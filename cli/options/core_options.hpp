@@ -9,28 +9,33 @@
 
 namespace CLI {
 class App;
+class Option;
 }  // namespace CLI
 
 namespace hitpipe::cli {
 
 struct CoreChoice {
-  int places = 8;  ///< of a ray's stack
+  std::optional<std::string> bits;  ///< as the user wrote it; without: those of `options`
+  int places = 8;                   ///< of a ray's stack
   rtl::CoreOptions options{};
 
-  /// With the stack's places, and in the format that the user wrote. Throws std::runtime_error, one line,
-  /// when they are no power of two, or when there is no such format.
-  [[nodiscard]] rtl::CoreOptions core(const std::optional<std::string>& bits) const;
+  /// With the stack's places and the format that the user wrote. Throws std::runtime_error, one line, when
+  /// the places are no power of two, or when there is no such format.
+  [[nodiscard]] rtl::CoreOptions core() const;
 };
 
-// Each of these adds options and gives their names.
+/// Adds --bits.
+void add_core_bits_option(CLI::App& command, std::optional<std::string>& bits, const std::string& otherwise);
+
+// Each of these adds options and returns them.
 
 /// --stack, --levels, --triangle-ii, --door and --barycentrics.
-std::vector<std::string> add_core_options(CLI::App& command, CoreChoice& choice);
+std::vector<CLI::Option*> add_core_options(CLI::App& command, CoreChoice& choice);
 /// These and --rays, for a command with one core.
-std::vector<std::string> add_one_core_options(CLI::App& command, CoreChoice& choice);
+std::vector<CLI::Option*> add_one_core_options(CLI::App& command, CoreChoice& choice);
 /// The AXI bus to memory: --data-bits and --in-order.
-std::vector<std::string> add_core_bus_options(CLI::App& command, CoreChoice& choice);
+std::vector<CLI::Option*> add_core_bus_options(CLI::App& command, CoreChoice& choice);
 /// Widths of ports and block RAMs, which only Verilog that is written needs to know.
-std::vector<std::string> add_core_port_options(CLI::App& command, CoreChoice& choice);
+std::vector<CLI::Option*> add_core_port_options(CLI::App& command, CoreChoice& choice);
 
 }  // namespace hitpipe::cli

@@ -76,14 +76,16 @@ CLI::Option* add_list_option(CLI::App& command, const std::string& name, std::ve
       ->type_name(type);
 }
 
-/// A folder to write to. The name must not be empty.
+/// The check of a folder to write to. The name must not be empty.
+inline std::string is_folder(const std::string& folder) {
+  if (folder.empty()) return "is empty; give the name of a folder";
+  host::announce_output_folder(folder);
+  return "";
+}
+
+/// --out, a folder to write to.
 inline CLI::Option* add_folder_option(CLI::App& command, std::string& value, const std::string& what) {
-  const auto named = [](const std::string& folder) -> std::string {
-    if (folder.empty()) return "is empty; give the name of a folder";
-    host::announce_output_folder(folder);
-    return "";
-  };
-  return command.add_option("--out", value, what)->check(named)->type_name("FOLDER");
+  return command.add_option("--out", value, what)->check(is_folder)->type_name("FOLDER");
 }
 
 /// A file that the command reads. No file that it writes takes its place.

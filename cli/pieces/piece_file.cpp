@@ -112,8 +112,8 @@ void check_pieces(std::vector<PieceFile>& pieces, const std::string& program, co
   for (const PieceFile& each : pieces) {
     if (each.note.program != program)
       refuse(each.file, fmt::format("was made by {}, and this is {}", each.note.program, program));
-    if (!each.note.command.starts_with("hitpipe " + command + " "))
-      refuse(each.file, fmt::format("is {}; allowed are pieces of hitpipe {}", each.note.text(), command));
+    if (!each.note.command.starts_with(command + " "))
+      refuse(each.file, fmt::format("is {}; allowed are pieces of {}", each.note.text(), command));
     if (const std::string why = difference(pieces.front().note, each.note); !why.empty())
       refuse(each.file, why);
   }

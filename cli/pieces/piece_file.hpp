@@ -62,7 +62,7 @@ template <class Parse>
 }
 
 /// Reads files that have all pieces of one command, and returns them in order. `program` is the name and
-/// version of this program, `command` its subcommand. Throws what read_piece() throws, and
+/// version of this program, `command` the full name of its command. Throws what read_piece() throws, and
 /// std::runtime_error, one line that names the piece, when one is missing or there twice, or is of another
 /// version, command or input.
 [[nodiscard]] std::vector<PieceFile> read_pieces(const std::vector<std::string>& files,

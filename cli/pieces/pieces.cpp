@@ -10,6 +10,7 @@
 
 #include "cli/options/values.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/last_line.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
@@ -103,15 +104,13 @@ std::string whole_command(const CLI::App& parsed) {
       parsed, {"--pieces", "--piece", "--join", "--out", "--format", "--threads", "--plot-width"}, seeds);
 }
 
-std::string program_of(const CLI::App& parsed) {
-  return parsed.get_parent()->version();
-}
-
 void print_pieces(const CutWork& work, std::string_view ending) {
   if (work.out.empty()) throw std::runtime_error("--pieces: needs --out, the folder of their files");
   const std::uint64_t pieces = work.choice.pieces;
   check_count(work, "--pieces", pieces);
-  const std::vector<std::string>& called = work.parsed.get_parent()->get_aliases();
+  const CLI::App* root = &work.parsed;
+  while (root->get_parent() != nullptr) root = root->get_parent();
+  const std::vector<std::string>& called = root->get_aliases();
   const std::string program = called.empty() ? "hitpipe" : host::shell_word(called.front());
   const std::string rest = whole_command(work.parsed).substr(std::string_view("hitpipe").size());
   const CLI::Option* const threads = work.parsed.get_option_no_throw("--threads");
@@ -179,7 +178,7 @@ std::string joined_command(const std::string& whole, const std::string& out) {
 }
 
 std::vector<PieceFile> joined_pieces(const CLI::App& parsed, const PiecesChoice& choice) {
-  return read_pieces(choice.join, program_of(parsed), parsed.get_name());
+  return read_pieces(choice.join, program_of(parsed), full_name(parsed));
 }
 
 }  // namespace hitpipe::cli

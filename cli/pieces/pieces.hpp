@@ -41,9 +41,6 @@ CLI::Option* add_pieces_options(CLI::App& command, PiecesChoice& choice, std::st
 /// Of a command, without what does not decide its result: pieces, output, format, threads. Seeds are named.
 [[nodiscard]] std::string whole_command(const CLI::App& parsed);
 
-/// "hitpipe 1.2.3", as pieces name it.
-[[nodiscard]] std::string program_of(const CLI::App& parsed);
-
 /// What a user asks of work that can be cut.
 struct CutWork {
   const CLI::App& parsed;

@@ -84,7 +84,7 @@ std::vector<Family> families_of(const CoreFacts& facts, const std::vector<Traced
   std::vector<Family> families;
   for (std::size_t i = 0; i < facts.results.size(); ++i) {
     const CoreSetting& setting = facts.results[i].setting;
-    rtl::CoreOptions options = CoreChoice{}.core(std::nullopt);
+    rtl::CoreOptions options = CoreChoice{}.core();
     options.bits = usual_ray_format(setting.world);
     options.triangle_interval = setting.triangle_interval;
     options.rays = setting.rays;
@@ -110,7 +110,7 @@ std::vector<Family> families_of(const CoreFacts& facts, const std::vector<Traced
 std::string command_of(const CoreMeasurement& how, const CoreFacts& facts, const CoreSetting& setting,
                        const std::vector<int>& rays) {
   return fmt::format(
-      "hitpipe trace --native {} --width {} --height {} --bits {} --triangle-ii {} --rays-in-flight {} "
+      "hitpipe core trace --native {} --width {} --height {} --bits {} --triangle-ii {} --rays-in-flight {} "
       "--latency {}{}{} --format csv",
       how.scene_options, facts.width, facts.height, name_of(setting.world), setting.triangle_interval,
       fmt::join(rays, ","), setting.latency,

@@ -17,7 +17,7 @@
 
 namespace hitpipe::cli {
 
-/// A core and its memory, as options of `hitpipe trace`.
+/// A core and its memory, as options of `hitpipe core trace`.
 struct CoreSetting {
   hls::WorldBits world{};
   int triangle_interval = 4;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/text/help.hpp"
 #include "cli/text/scene_text.hpp"
 #include "host/text.hpp"
 
@@ -63,7 +64,7 @@ std::string command_line(const CLI::App& command, const std::vector<std::string>
   const auto is_in = [](const std::vector<std::string>& names, const CLI::Option* option) {
     return std::find(names.begin(), names.end(), option->get_name()) != names.end();
   };
-  std::string text = "hitpipe " + command.get_name();
+  std::string text = full_name(command);
   for (const CLI::Option* const option : command.get_options()) {
     if (option->count() == 0 && is_in(always, option))
       text += " " + option->get_name() + " " + option->get_default_str();
@@ -81,8 +82,14 @@ std::string command_line(const CLI::App& command, const std::vector<std::string>
   return text;
 }
 
+std::string program_of(const CLI::App& command) {
+  const CLI::App* program = &command;
+  while (program->get_parent() != nullptr) program = program->get_parent();
+  return program->version();
+}
+
 Row notes_of(const CLI::App& command) {
-  return {{"program", command.get_parent()->version()}, {"command", command_line(command)}};
+  return {{"program", program_of(command)}, {"command", command_line(command)}};
 }
 
 Row notes_of(const CLI::App& command, const ref::Scene& scene) {

@@ -21,6 +21,9 @@ namespace hitpipe::cli {
 [[nodiscard]] std::string command_line(const CLI::App& command, const std::vector<std::string>& without = {},
                                        const std::vector<std::string>& always = {});
 
+/// The program of a command, with its version.
+[[nodiscard]] std::string program_of(const CLI::App& command);
+
 /// Of a command that ran: its program and its command line.
 [[nodiscard]] Row notes_of(const CLI::App& command);
 /// The same with camera_notes().

@@ -1,4 +1,4 @@
-"""A traversal core of hitpipe in a LiteX SoC. `hitpipe rtl core --door float --out FOLDER` writes what it needs."""
+"""A traversal core of hitpipe in a LiteX SoC. `hitpipe core rtl --door float --out FOLDER` writes what it needs."""
 
 import json
 from pathlib import Path
@@ -30,7 +30,7 @@ class HitpipeCore(LiteXModule):
         manifests = [json.loads(file.read_text()) for file in sorted(rtl.glob("*.json"))]
         cores = [manifest for manifest in manifests if "axi" in manifest]
         if len(cores) != 1:
-            raise ValueError(f"{rtl}: has {len(cores)} manifests of cores; a folder of `hitpipe rtl core` has one")
+            raise ValueError(f"{rtl}: has {len(cores)} manifests of cores; a folder of `hitpipe core rtl` has one")
         manifest = cores[0]
         core_axi = manifest["axi"]
         if not core_axi["has_one_id"]:

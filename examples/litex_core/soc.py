@@ -71,8 +71,8 @@ class CoreSoC(SoCCore):
 
 def main():
     parser = argparse.ArgumentParser(description="A SoC with a traversal core, as Verilog")
-    parser.add_argument("--rtl", required=True, help="folder of `hitpipe rtl core`")
-    parser.add_argument("--sdram", help="file that the SDRAM holds: an image of `hitpipe image`, or firmware")
+    parser.add_argument("--rtl", required=True, help="folder of `hitpipe core rtl`")
+    parser.add_argument("--sdram", help="file that the SDRAM holds: an image of `hitpipe core image`, or firmware")
     parser.add_argument("--cpu", help="processor of LiteX, for example vexriscv, with LiteX's BIOS; none: a host at pins")
     parser.add_argument("--output-dir", default="build", help="folder for the Verilog, csr.csv, and what firmware includes")
     args = parser.parse_args()

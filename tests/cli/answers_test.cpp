@@ -141,7 +141,7 @@ TEST_F(Answers, OfCosimAreKnownInBothWorlds) {
 TEST_F(Answers, OfACoreHaveALineForEachNumberOfRaysInFlight) {
   for (const std::string more : {"", " --parts 3"}) {
     const std::vector<Line> both =
-        lines("trace --native --rays-in-flight 1,4" + more, "rays_in_flight," + columns);
+        lines("core trace --native --rays-in-flight 1,4" + more, "rays_in_flight," + columns);
     ASSERT_EQ(both.size(), 16U);
     for (std::size_t core = 0; core < 2; ++core) {
       const auto first = both.begin() + static_cast<std::ptrdiff_t>(8 * core);

@@ -120,8 +120,8 @@ with tempfile.TemporaryDirectory() as name:
     for words in [
             "check int_slabs --bits 12/12 --tests 4096", "check int_triangle --tests 4096", "list designs", "list scenes",
             "area int_slabs --bits 12/12", f"cosim int_slabs --bits 12/12 {small} --referee", f"render {small}",
-            f"bvh --scene spheres --sweep", f"image {small} --stack 0,8",
-            f"trace {small} --native --rays-in-flight 8,16", f"fit int_slabs {small} --vectors 100 --out {out}/fit",
+            f"bvh --scene spheres --sweep", f"core image {small} --stack 0,8",
+            f"core trace {small} --native --rays-in-flight 8,16", f"fit int_slabs {small} --vectors 100 --out {out}/fit",
             "table 7.2"
     ]:
         check(words, run(f"{words} --format csv"))

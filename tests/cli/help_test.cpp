@@ -1,8 +1,14 @@
 // Help of every command, and the message for a command line that cannot be understood.
+#include "cli/text/help.hpp"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cli/commands.hpp"
+#include "host/text.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "tests/cli/program.hpp"
 
@@ -12,22 +18,39 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// All commands in the order of the help.
+/// Those of the program and those of `core`, in the order of the help.
 #define HITPIPE_NAME(purpose, name) #name,
 const std::vector<std::string> commands{HITPIPE_COMMANDS(HITPIPE_NAME)};
+const std::vector<std::string> core_commands{HITPIPE_CORE_COMMANDS(HITPIPE_NAME)};
 #undef HITPIPE_NAME
 
-std::string listed(const std::vector<std::string>& words) {
+using Words = std::vector<std::string>;
+
+std::string joined(const Words& words, const std::string& between) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
   return text;
 }
 
-/// The arguments for the program alone, and for each command.
-std::vector<std::vector<std::string>> program_and_commands() {
-  std::vector<std::vector<std::string>> all{{}};
-  for (const std::string& command : commands) all.push_back({command});
+/// All commands that do something, each by its words.
+std::vector<Words> all_commands() {
+  std::vector<Words> all;
+  for (const std::string& command : commands)
+    if (command != "core") all.push_back({command});
+  for (const std::string& command : core_commands) all.push_back({"core", command});
   return all;
+}
+
+/// With the program alone, and `core` alone.
+std::vector<Words> all_helps() {
+  std::vector<Words> all = all_commands();
+  all.insert(all.end(), {{}, {"core"}});
+  return all;
+}
+
+std::string help_of(Words words) {
+  words.emplace_back("--help");
+  return run_hitpipe(words).out;
 }
 
 /// One line on standard error, nothing else, and exit code 2.
@@ -56,24 +79,28 @@ TEST_P(Help, FitsEightyColumns) {
 
 /// The parser's own words for its checks must not appear.
 TEST_P(Help, SaysNothingOfValidators) {
-  std::vector<std::string> arguments = GetParam();
-  arguments.emplace_back("--help");
-  const std::string help = run_hitpipe(arguments).out;
+  const std::string help = help_of(GetParam());
   for (const char* const word : {"NUMBER", "NONNEGATIVE", " AND ", "INT in"}) {
     EXPECT_THAT(help, Not(HasSubstr(word)));
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, Help, testing::ValuesIn(program_and_commands()),
-                         [](const auto& parameter) {
-                           return parameter.param.empty() ? "hitpipe" : parameter.param.front();
-                         });
+TEST_P(Help, IsThatOfTheCommandHelp) {
+  Words words = GetParam();
+  words.insert(words.begin(), "help");
+  EXPECT_EQ(run_hitpipe(words).out, help_of(GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Commands, Help, testing::ValuesIn(all_helps()), [](const auto& parameter) {
+  return parameter.param.empty() ? "hitpipe" : joined(parameter.param, "_");
+});
 
 TEST(HelpOfTheProgram, ListsTheCommandsAndAFirstTry) {
   const std::string help = run_hitpipe({"--help"}).out;
-  for (const std::string& command : commands) EXPECT_THAT(help, HasSubstr("\n  " + command + " "));
+  for (const std::string& command : commands)
+    EXPECT_THAT(help, HasSubstr(command == "help" ? "`hitpipe help COMMAND`" : "\n  " + command + " "));
   for (const char* const purpose :
-       {"Take a unit", "Judge it", "Choose it", "Put it onto a chip", "The thesis"})
+       {"Take a unit", "Judge it", "Choose it", "Put it onto a chip", "Take a whole core", "The thesis"})
     EXPECT_THAT(help, HasSubstr("\n\n" + std::string(purpose) + ":\n"));
   EXPECT_LE(lines_of(help).size(), 40U) << help;
   EXPECT_THAT(help, HasSubstr("  hitpipe cosim int_slabs --scene spheres --out out\n"));
@@ -90,16 +117,64 @@ TEST(HelpOfTheProgram, TellsTheExitCodes) {
 /// The same option in every command.
 TEST(HelpOfCommands, TellsTheSameOfEverySeed) {
   std::vector<std::string> said;
-  for (const std::string& command : commands) {
-    const std::string help = run_hitpipe({command, "--help"}).out;
+  for (const Words& command : all_commands()) {
+    const std::string help = help_of(command);
     const std::size_t at = help.find("\n  --seed ");
     if (at == std::string::npos) continue;
     const std::size_t next = help.find("\n  --", at + 1);
     said.push_back(help.substr(at, next - at));
   }
-  ASSERT_EQ(said.size(), 5U);  // rtl, check, report, implement, board
+  ASSERT_EQ(said.size(), 6U);  // rtl, check, report, implement, board, core rtl
   for (const std::string& each : said) EXPECT_EQ(each, said[0]);
   EXPECT_THAT(said[0], HasSubstr("--seed N=1 "));
+}
+
+TEST(HelpOfCommands, SaysWhatIsRequired) {
+  EXPECT_THAT(help_of({"rtl"}), HasSubstr("\nUsage: hitpipe rtl NAME --out FOLDER [OPTION...]\n"));
+  EXPECT_THAT(help_of({"core", "rtl"}), HasSubstr("\nUsage: hitpipe core rtl --out FOLDER [OPTION...]\n"));
+  EXPECT_THAT(help_of({"board"}),
+              HasSubstr("\nUsage: hitpipe board [NAME] (--port DEVICE | --simulate) [OPTION...]\n"));
+  EXPECT_THAT(help_of({"core"}), HasSubstr("\nUsage: hitpipe core COMMAND [OPTION...]\n"));
+}
+
+/// A command is understood with the options of each example, and runs nothing.
+TEST(HelpOfCommands, EndsWithExamplesThatAreUnderstood) {
+  CLI::App program("", "hitpipe");
+  program.formatter(std::make_shared<HelpFormatter>());
+  int exit_code = 0;
+  add_commands(program, exit_code);
+  const auto understood = [&](const std::string& line) {
+    CLI::App* command = &program;
+    std::string why = "it was not seen";
+    for (const std::string& word : host::words_of(line.substr(std::string("hitpipe ").size())))
+      if (!command->get_subcommands({}).empty()) command = command->get_subcommand(word);
+    command->parse_complete_callback([command] {
+      if (!command->remaining().empty()) throw CLI::ExtrasError(command->remaining());
+      throw CLI::Success();
+    });
+    try {
+      program.parse(line, true);
+    } catch (const CLI::Success&) {
+      why.clear();
+    } catch (const CLI::ParseError& error) {
+      why = error.what();
+    }
+    program.clear();
+    return why;
+  };
+  EXPECT_NE(understood("hitpipe rtl int_slabs --colour 3"), "");
+  for (const Words& command : all_helps()) {
+    if (command.empty()) continue;
+    const std::string help = help_of(command);
+    const std::size_t at = help.find("\nExamples:\n");
+    ASSERT_NE(at, std::string::npos) << help;
+    const std::vector<std::string> lines = lines_of(help.substr(at + 1));
+    EXPECT_GE(lines.size(), 3U) << help;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+      EXPECT_TRUE(lines[i].starts_with("  hitpipe " + joined(command, " "))) << lines[i];
+      EXPECT_EQ(understood(lines[i].substr(2)), "") << lines[i];
+    }
+  }
 }
 
 TEST(Version, IsOneLine) {
@@ -109,19 +184,21 @@ TEST(Version, IsOneLine) {
 }
 
 TEST(CommandLine, WithoutCommandRejected) {
-  expect_error({}, "a command is needed; there are: " + listed(commands) + "; see hitpipe --help");
+  expect_error({}, "a command is needed; there are: " + joined(commands, ", ") + "; see hitpipe --help");
 }
 
 TEST(CommandLine, WithUnknownCommandRejected) {
   expect_error({"follow"},
-               "follow: no such command; there are: " + listed(commands) + "; see hitpipe --help");
+               "follow: no such command; there are: " + joined(commands, ", ") + "; see hitpipe --help");
 }
 
 TEST(CommandLine, WithUnknownFormatRejected) {
-  for (const std::string& command : commands) {
-    expect_error(command == "list" ? std::vector<std::string>{command, "designs", "--format", "xml"}
-                                   : std::vector<std::string>{command, "--format", "xml"},
-                 "--format: xml is none of text, csv, json; see hitpipe " + command + " --help");
+  for (const Words& command : all_commands()) {
+    if (command == Words{"help"}) continue;
+    Words words = command;
+    if (command == Words{"list"}) words.emplace_back("designs");
+    expect_error(with(words, {"--format", "xml"}),
+                 "--format: xml is none of text, csv, json; see hitpipe " + joined(command, " ") + " --help");
   }
 }
 

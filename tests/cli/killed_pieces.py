@@ -140,11 +140,11 @@ def others():
     compare("stiff rays", printed(f"check --stiff --join {pieces} --out joined"), printed(f"{stiff} --out one"))
     for name in ("stiffness.csv", "stiffness.svg", "stiffness_scene.svg"):
         compare(name, (FOLDER / "joined" / name).read_text(), (FOLDER / "one" / name).read_text())
-    trace = "trace --scene spheres --width 40 --height 8 --native --rays-in-flight 4,16 --parts 2 --latency 5,60"
+    trace = "core trace --scene spheres --width 40 --height 8 --native --rays-in-flight 4,16 --parts 2 --latency 5,60"
     for command in commands_of(f"{trace} --pieces 3 --out c"):
         printed(command)
     for form in ("text", "json"):
-        compare("trace", printed(f"trace --join c/2.json c/1.json c/3.json --format {form}"),
+        compare("trace", printed(f"core trace --join c/2.json c/1.json c/3.json --format {form}"),
                 printed(f"{trace} --format {form}"))
     for parts, one in zip(json.loads(printed(f"{trace} --format json")),
                           json.loads(printed(f"{trace.replace('--parts 2', '')} --format json"))):

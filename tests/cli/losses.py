@@ -82,12 +82,12 @@ write_obj("slivers.obj", corners)
 kept_before = 0
 for bits in (8, 12, 16, 20, 24):
     kept, of = on_grid(corners, bits)
-    for command in ("image", "render"):
+    for command in ("core image", "render"):
         world = ["--world", "integer"] if command == "render" else []
         size = ["--width", "8", "--height", "8"] if command == "render" else []
         if kept == 0:
             continue
-        row, said = facts(command, "--scene", "slivers.obj", "--bits", f"{bits}+1s{bits}", *CUBE, *world, *size)
+        row, said = facts(*command.split(), "--scene", "slivers.obj", "--bits", f"{bits}+1s{bits}", *CUBE, *world, *size)
         counts = row.get("triangles"), row.get("degenerate_dropped"), row.get("lost_to_rounding")
         expect(counts == (kept, 500 - of, of - kept), f"{command} at {bits} bits: {counts}, and not {kept} of {of}")
         expect((f"{of - kept} of {of} triangles lose" in said) == (of > kept), f"{command} at {bits} bits says: {said}")
@@ -120,7 +120,7 @@ for command in ("bvh", "render", "cosim int_slabs --bits 20/24"):
                         r"cube is 4.59216e\+09 wide; .*--cube.*\n", said), f"{command} large.obj says: {said}")
 strict = run("bvh", "--scene", "large.obj", "--strict", code=2)
 expect(strict.stderr.startswith("hitpipe: ") and strict.stderr.count("\n") == 1 and strict.stdout == "", f"--strict: {strict.stderr}")
-run("image", "--bits", "16+1s16", "--scene", "slivers.obj", "--strict", "--out", "none.img", code=2)
+run("core", "image", "--bits", "16+1s16", "--scene", "slivers.obj", "--strict", "--out", "none.img", code=2)
 expect(not os.path.exists("none.img"), "--strict leaves an image")
 
 # A mesh of 361 triangles beside one far away; a cube around the patch refuses the far one, and says so.
@@ -165,7 +165,7 @@ written = open("faces.bvh").read().split("triangles ")[1].split("\n", 1)[1].spli
 expect(sorted(map(int, written)) == [1, 2, 3, 5, 6], f"faces.bvh holds {written}")
 again, _ = facts("bvh", "--scene", "faces.obj", *view, "--bvh", "faces.bvh")
 expect(again["triangles"] == 5, f"read again: {again['triangles']}")
-run("image", "--scene", "faces.obj", *view, "--bits", "20+1s20", "--out", "faces.img")
+run("core", "image", "--scene", "faces.obj", *view, "--bits", "20+1s20", "--out", "faces.img")
 image = open("faces.img", "rb").read()
 # A triangle's number is in bits 216 to 247 of its block of 32 bytes (docs/core.md). Records have other words there.
 numbers = {int.from_bytes(image[at + 27:at + 31], "little") for at in range(0, len(image), 32)}

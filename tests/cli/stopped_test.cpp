@@ -73,9 +73,10 @@ TEST_P(StoppedOnce, PieceOfASweepKeepsItsRows) {
 }
 
 TEST_P(StoppedOnce, OtherPieceBeginsAgain) {
-  const Outcome outcome = stopped(
-      "trace --scene spheres --width 8 --height 8 --rays-in-flight 2,4 --piece 2/2 --out " + file("2.json"),
-      GetParam());
+  const Outcome outcome =
+      stopped("core trace --scene spheres --width 8 --height 8 --rays-in-flight 2,4 --piece 2/2 --out " +
+                  file("2.json"),
+              GetParam());
   EXPECT_EQ(outcome.exit_code, -1);
   EXPECT_EQ(outcome.err, "hitpipe: stopped; the same command begins piece 2 of 2 again\n");
 }

@@ -155,7 +155,7 @@ TEST_F(WrongFiles, FilesAndFolders) {
              "DIR/none.csv: cannot read the file: No such file or directory"},
             {"sweep int_slabs --scene spheres --rays DIR/none.bin --out OUT.csv",
              "DIR/none.bin: cannot read the file"},
-            {"trace --scene spheres --rays DIR/two.csv",
+            {"core trace --scene spheres --rays DIR/two.csv",
              "DIR/two.csv: line 1: column \"a\" is not known; the first line must name the columns "
              "ox,oy,oz,dx,dy,dz[,length,any]"},
             {"operands int_slabs --rays DIR/none.csv --boxes DIR/two.csv --out OUT.csv",

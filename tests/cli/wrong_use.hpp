@@ -50,7 +50,11 @@ class WrongUseOf : public testing::Test {
     for (const std::string& word : words) arguments.push_back(word == "''" ? "" : filled(word));
     message = filled(message);
     if (message.ends_with(';'))
-      message += " see hitpipe " + (words.empty() ? "" : words.front() + " ") + "--help";
+      message += " see hitpipe " +
+                 (words.empty()             ? ""
+                  : words.front() == "core" ? "core " + words.at(1) + " "
+                                            : words.front() + " ") +
+                 "--help";
     const Outcome outcome = run_hitpipe(arguments, variables);
     const std::string line = fmt::format("{}", fmt::join(arguments, " "));
     EXPECT_EQ(outcome.exit_code, 2) << line;

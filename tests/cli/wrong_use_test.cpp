@@ -7,7 +7,7 @@ namespace hitpipe::cli::wrong_use_test {
 namespace {
 
 TEST_F(WrongUseOf, TheCommandLine) {
-  rejected({{"rtl int_slabs --colour 3 --out OUT", "--colour: no such option; the nearest is --door;"},
+  rejected({{"rtl int_slabs --colour 3 --out OUT", "--colour: no such option; the nearest is --out;"},
             {"rtl int_slabs 3 --bit", "--bit: no such option; the nearest is --bits;"},
             {"rtl int_slabs 3 4 --out OUT", "3: a word too many;"},
             {"cosim int_slabs --sceen spheres", "--sceen: no such option; the nearest is --scene;"},
@@ -122,7 +122,7 @@ TEST_F(WrongUseOf, OptionsThatExcludeEachOther) {
              "--rays excludes --width: the rays of a file make no picture;"},
             {"sweep --scene spheres --out OUT --rays r --diffuse 1",
              "--rays excludes --diffuse: the rays of a file make no picture;"},
-            {"trace --scene spheres --rays r --height 9",
+            {"core trace --scene spheres --rays r --height 9",
              "--rays excludes --height: the rays of a file make no picture;"},
             {"render --scene spheres --rays r --width 9",
              "--rays excludes --width: the rays of a file make no picture;"},
@@ -134,11 +134,10 @@ TEST_F(WrongUseOf, OptionsThatExcludeEachOther) {
              "--answers excludes --rows: their rays were traced elsewhere;"},
             {"sweep --scene spheres --out OUT --rays r --answers OUT.csv --piece 1/2",
              "--answers excludes --piece: pieces keep counts only;"},
-            {"trace --scene spheres --rays r --answers OUT.csv --out OUT --pieces 2",
+            {"core trace --scene spheres --rays r --answers OUT.csv --out OUT --pieces 2",
              "--answers excludes --pieces: pieces keep counts only;"},
             {"fit --scene spheres --rays r --out OUT", "--rays: no such option; the nearest is --eye;"},
-            {"board --port x --simulate",
-             "--simulate excludes --port: the simulated board has a port of its own;"},
+            {"board --port x --simulate", "--simulate excludes --port: the other side sends the tests;"},
             {"implement --board icebreaker --simulate 9 --out OUT",
              "--simulate excludes --board: the vectors are for the unit alone, and on a board it stands "
              "behind a "
@@ -313,7 +312,7 @@ TEST_F(WrongUseOf, Words) {
        {render + "a.png", "render: 1 images; --compare takes two"},
        {"cosim int_slabs --scene spheres --scale 2", "--scale requires --rescale;"},
        {"cosim int_slabs --scene spheres --answers OUT.csv", "--answers requires --rays;"},
-       {"trace --scene spheres --answers OUT.csv", "--answers requires --rays;"},
+       {"core trace --scene spheres --answers OUT.csv", "--answers requires --rays;"},
        {"sweep --scene spheres --out OUT --answers OUT.csv", "--answers requires --rays;"},
        {"render --scene spheres --answers OUT.csv", "--answers requires --rays;"},
        {"bvh --scene spheres --builder best", "--builder: best is none of median, sah;"},
@@ -338,11 +337,21 @@ TEST_F(WrongUseOf, Words) {
        {"table 4.1 --out page.md", "--out requires --judge;"},
        {"table --judge 4.2 --out page.txt", "--out: page.txt does not end in .md;"},
        {"table 4.1 --scene Bunny", "--scene: Bunny is not NAME=SCENE; give for example Bunny=bunny.ply;"},
-       {"board int_slabs", "board: give the board's --port, or --simulate to be one"},
-       {"board core --port x", "board core: give a --scene"},
-       {"board core --simulate --scene spheres",
-        "--scene: core is simulated; allowed with one are design, --bits, --board, --format, --simulate"},
-       {"board int_slabs --simulate --out OUT", "--out: allowed with core only"},
+       {"board int_slabs", "--port or --simulate is required;"},
+       {"core board --port x", "--port requires --scene;"},
+       {"core board --simulate --scene spheres",
+        "--simulate excludes --scene: the other side has the scene;"},
+       {"core",
+        "a command is needed; there are: rtl, image, trace, area, implement, board; see hitpipe core "
+        "--help"},
+       {"core follow",
+        "follow: no such command; there are: rtl, image, trace, area, implement, board; see "
+        "hitpipe core --help"},
+       {"help core follow",
+        "hitpipe core has no command follow; there are: rtl, image, trace, area, "
+        "implement, board"},
+       {"board int_slabs --simulate --tests 9",
+        "--simulate excludes --tests: the other side sends the tests;"},
        {"check --scene spheres int_slabs", "--scene requires --stiff;"}});
   for (const std::string bounds : {"0,0,0,1,1", "0,0,0,1,1,1,1", "0,0,0,1,1,x", "0,0,0,1,1,1,"})
     rejected({{"operands int_slabs --rays a --boxes b --out OUT.csv --bounds " + bounds,
@@ -354,16 +363,15 @@ TEST_F(WrongUseOf, Words) {
 }
 
 TEST_F(WrongUseOf, TargetsAndBoards) {
-  const std::string named = "implement: name a design and a --target, or a --board";
+  const std::string named = "--target or --board is required;";
   const std::string on_board = "implement --out OUT --board ";
-  const std::string of_number = "--clock-ps auto: allowed with a unit; of a core give a number";
   const std::string on_chip = "implement int_slabs --bits 6/6 --out OUT --target ";
-  const std::string of_core = ": core is a core; allowed with one are design, --bits, --target...";
+  const std::string none = ": no such option; the nearest is --...";
   rejected(
       {{"implement int_slabs --out OUT", named},
-       {"implement --target ice40_up5k --out OUT", named},
+       {"implement --target ice40_up5k --out OUT", "--target requires design;"},
        {on_board + "arty", "board arty: unknown; there are: icebreaker"},
-       {on_board + "icebreaker --target xc7", "--target xc7: the chip on icebreaker is ice40_up5k"},
+       {on_board + "icebreaker --target xc7", "--target excludes --board: a board has a target of its own;"},
        {on_board + "icebreaker --baud 5000000",
         "5000000 baud: the clock of icebreaker (12000000 Hz) must be 4 to 65535 times as fast and a whole "
         "multiple within 2 %; 1000000 is usual"},
@@ -371,23 +379,21 @@ TEST_F(WrongUseOf, TargetsAndBoards) {
         "target stratix: unknown; there are ecp5, ice40_hx, ice40_up5k, osu018, xc7, and any file whose name "
         "ends "
         "in .json"},
-       {on_chip + "xc7 --rays 8", "--rays: allowed with core only"},
-       {"implement core --out OUT", named},
-       {"implement core --out OUT --target xc7 --bits 20/24",
+       {on_chip + "xc7 --rays 8", "--rays" + none},
+       {"core implement --out OUT", named},
+       {"core implement --out OUT --target xc7 --bits 20/24",
         "bits 20/24: allowed is n+g/psS or n+g/pfBsStF with n in 8..24, g in 0..3, p in 4..32, B in -2..3, S "
         "in "
         "8..32, F in 1..8 and B at most g+F, for example 20+1/11s20"},
-       {"implement core --out OUT --target xc7 --stack 6", "--stack 6: allowed is a power of two"},
-       {"implement core --out OUT --target xc7 --simulate 9", "--simulate" + of_core},
-       {"implement core --out OUT --target xc7 --flow-control none", "--flow-control" + of_core},
-       {"implement core --out OUT --target xc7 --ii 2", "--ii" + of_core},
-       {"implement core --out OUT --target xc7 --clock-ps auto", of_number},
-       {"implement core --out OUT --board icebreaker --rays 3",
-        "--rays: core is the core of the board; allowed with one are design, --bits, --board, --baud, --out, "
-        "--library, --name, --seeds, --format, --clock-ps"},
-       {"implement core --out OUT --board icebreaker --clock-ps auto", of_number},
-       {"implement core --out OUT --target ice40_hx --seeds 1",
-        "--seeds 1: a core alone has more pins than a chip that is placed; allowed is 0, or a --board"},
+       {"core implement --out OUT --target xc7 --stack 6", "--stack 6: allowed is a power of two"},
+       {"core implement --out OUT --target xc7 --simulate 9", "--simulate" + none},
+       {"core implement --out OUT --target xc7 --flow-control none", "--flow-control" + none},
+       {"core implement --out OUT --target xc7 --ii 2", "--ii" + none},
+       {"core implement --out OUT --target xc7 --clock-ps auto",
+        "--clock-ps: Value auto not in range 1 to 1000000000;"},
+       {"core implement --out OUT --board icebreaker --rays 3",
+        "--rays excludes --board: a board has a core of its own;"},
+       {"core implement --out OUT --target ice40_hx --seeds 1", "--seeds requires --board;"},
        {on_chip + "xc7 --seeds 101", "--seeds: Value 101 not in range 0 to 100;"},
        {on_chip + "xc7 --simulate 9",
         "target xc7: has no simulation models of its cells, so its netlist cannot be simulated"}});

@@ -25,7 +25,7 @@ uint32_t core_hit_tag_read(void);
 void core_hit_take_write(uint32_t);
 uint32_t core_hit_take_read(void);
 ")
-run(${PREFIX}/bin/hitpipe rtl core --bits 16+1/9s16 --door float --in-order --name hitpipe_core --out ${WORK}/rtl)
+run(${PREFIX}/bin/hitpipe core rtl --bits 16+1/9s16 --door float --in-order --name hitpipe_core --out ${WORK}/rtl)
 file(WRITE ${WORK}/image.bin "32 bytes, a block of an image...")
 
 set(example ${SOURCE}/examples/litex_core)

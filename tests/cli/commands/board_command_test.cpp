@@ -126,12 +126,12 @@ TEST(BoardCommand, SimulatesABoard) {
 
 TEST(BoardCommand, TracesAPictureByACore) {
   SKIP_WITHOUT_PSEUDO_TERMINAL();
-  const Process program("board core --bits 8+0/5s8 --simulate");
-  EXPECT_THAT(program.said(), testing::StartsWith("core,8+0/5s8,/dev/pts/"));
+  const Process program("core board --bits 8+0/5s8 --simulate");
+  EXPECT_THAT(program.said(), testing::StartsWith("hitpipe_core_8p0_5s8,8+0/5s8,/dev/pts/"));
   const sim::TemporaryFolder folder;
   const std::string out = (folder.path() / "picture").string();
   const auto trace = [&](const std::vector<std::string>& more) {
-    return run_hitpipe(with({"board", "core", "--port", program.port(), "--scene", "waves", "--width", "8",
+    return run_hitpipe(with({"core", "board", "--port", program.port(), "--scene", "waves", "--width", "8",
                              "--height", "8", "--format", "json"},
                             more));
   };

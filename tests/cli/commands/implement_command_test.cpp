@@ -233,7 +233,7 @@ TEST_F(ImplementCommand, CoreIsMappedAsAUnitIs) {
     "resources": {"luts": {"cells": {"OTHER": 1}, "available": 10}, "rams": {"cells": {"MEMORY": 1}}},
     "not_placed": "it is too small"})");
   const Outcome outcome =
-      run_hitpipe({"implement", "core", "--bits", "8+0/4s8", "--rays", "4", "--stack", "2", "--name",
+      run_hitpipe({"core", "implement", "--bits", "8+0/4s8", "--rays", "4", "--stack", "2", "--name",
                    "tracer", "--target", file.string(), "--out", out_.string(), "--format", "json"});
   EXPECT_EQ(outcome.exit_code, 1);
   auto object = nlohmann::json::parse(outcome.out);
@@ -295,7 +295,7 @@ TEST(ImplementBoard, EndsInABitstream) {
   const sim::TemporaryFolder folder;
   const std::string out = (folder / "out").string();
   const auto json = nlohmann::json::parse(printed(
-      "implement int_slabs --bits 6/6 --target ice40_up5k --board icebreaker --seeds 1 --format json --out " +
+      "implement int_slabs --bits 6/6 --board icebreaker --seeds 1 --format json --out " +
       out));
   EXPECT_EQ(json["module"], "int_slabs_6_6_board");
   EXPECT_GT(json["luts"], 100);

@@ -399,7 +399,8 @@ TEST_F(ReportCommand, NamesCommandsThatTraceTheSameCores) {
   }
   EXPECT_EQ(run, 2U);
   const std::string of_page =
-      "hitpipe trace --native --scene spheres --builder sah --max-triangles 2 --width 8 --height 8 --bits "
+      "hitpipe core trace --native --scene spheres --builder sah --max-triangles 2 --width 8 --height 8 "
+      "--bits "
       "20+1s20 "
       "--triangle-ii 4 --rays-in-flight 8,16,32,64,128,192,256 --latency 20 --format csv";
   EXPECT_THAT(page_, HasSubstr(of_page + "\n"));

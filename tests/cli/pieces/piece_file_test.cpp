@@ -35,7 +35,7 @@ class Pieces : public testing::Test {
     return files;
   }
   static std::string refusal(const std::vector<std::string>& files) {
-    return message_of<std::runtime_error>([&] { (void)read_pieces(files, program, "check"); });
+    return message_of<std::runtime_error>([&] { (void)read_pieces(files, program, "hitpipe check"); });
   }
 
   const sim::TemporaryFolder folder_;
@@ -45,7 +45,7 @@ TEST_F(Pieces, AreReadInOrder) {
   std::vector<std::string> files = written();
   std::swap(files[0], files[3]);
   std::swap(files[1], files[0]);
-  const std::vector<PieceFile> read = read_pieces(files, program, "check");
+  const std::vector<PieceFile> read = read_pieces(files, program, "hitpipe check");
   ASSERT_EQ(read.size(), 4U);
   for (std::uint64_t i = 0; i < 4; ++i) {
     EXPECT_EQ(read[i].result, Row({{"sum", i + 1}}));
@@ -114,9 +114,9 @@ TEST_F(Pieces, OfAnotherProgramCommandOrInputAreNamed) {
             name + "was made with another a.obj than the first file");
   EXPECT_EQ(refusal(written(second([](PieceNote& note) { note.inputs["b.obj"] = "fnv1a-0"; }))),
             name + "was made with other files than the first file");
-  EXPECT_EQ(
-      refusal(written([](PieceFile& piece) { piece.note.command = "hitpipe trace --seed 1"; })),
-      file("1") + ": is piece 1 of 4 of \"hitpipe trace --seed 1\"; allowed are pieces of hitpipe check");
+  EXPECT_EQ(refusal(written([](PieceFile& piece) { piece.note.command = "hitpipe core trace --seed 1"; })),
+            file("1") +
+                ": is piece 1 of 4 of \"hitpipe core trace --seed 1\"; allowed are pieces of hitpipe check");
 }
 
 TEST_F(Pieces, ResultsOfAnotherFormAreNamed) {

@@ -9,7 +9,7 @@ namespace {
 
 TEST_F(WrongUseOf, Pieces) {
   const std::string check = "check int_slabs --tests 5000 ";
-  const std::string trace = "trace --scene spheres --width 64 --height 64 ";
+  const std::string trace = "core trace --scene spheres --width 64 --height 64 ";
   const std::string sweep = "sweep int_slabs --bits 6/6,8/8 --scene spheres --out OUT ";
   rejected(
       {{check + "--pieces 0 --out OUT", "--pieces: Value 0 not in range 1 to 1000000;"},
@@ -35,7 +35,7 @@ TEST_F(WrongUseOf, Pieces) {
        {"table 4.2 7.1 --judge --pieces 3 --out OUT", "--pieces: 3 pieces of 2 tables; allowed is 1 to 2"},
        {trace + "--parts 5", "--parts 5: there are 4 tiles; allowed is 1 to 4"},
        {trace + "--pieces 2 --out OUT", "--pieces: 2 pieces of 1 runs of cores; allowed is 1 to 1"},
-       {"trace --join DIR/none --out OUT", "--out: pieces make no picture"}});
+       {"core trace --join DIR/none --out OUT", "--out: pieces make no picture"}});
   for (const std::string piece : {"0/2", "3/2", "1", "1/", "/2", "1/2/3", "-1/2", "1/1000001"})
     rejected({{check + "--out OUT --piece " + piece,
                "--piece: " + piece + " is not K/N, a piece from 1/N to N/N, N at most 1000000;"}});

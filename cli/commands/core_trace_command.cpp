@@ -25,6 +25,7 @@
 #include "cli/pieces/pieces.hpp"
 #include "cli/text/answers_file.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
@@ -109,7 +110,7 @@ class Tracing {
   void make_cores() {
     std::vector<rtl::CoreOptions> options;
     for (const int rays : command_.rays_in_flight) {
-      rtl::CoreOptions& core = options.emplace_back(command_.core.core(std::nullopt));
+      rtl::CoreOptions& core = options.emplace_back(command_.core.core());
       core.bits = usual_ray_format(bits_);
       core.rays = rays;
       sim::make_room(core, image_);
@@ -294,8 +295,8 @@ int join(const TraceCommand& command, const CLI::App& parsed) {
 
 }  // namespace
 
-CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand("trace", "Trace a scene by a core, cycle by cycle");
+CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
+  CLI::App* const command = core.add_subcommand("trace", "Trace a scene by a core, cycle by cycle");
   const auto options = std::make_shared<TraceCommand>();
   add_scene_options(*command, options->scene);
   add_hierarchy_options(*command, options->hierarchy, Boxes::integers);
@@ -341,6 +342,8 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
   add_pieces_options(*command, options->pieces, options->out, Output::folder,
                      "Folder for the picture that the answers make, SCENE.png; written when all are right");
   exclude_answers_of_pieces(*command);
+  add_examples(*command, {"hitpipe core trace --scene spheres --out out",
+                          "hitpipe core trace --scene terrain --rays-in-flight 32,128 --native"});
   command->callback([options, command, &exit_code] {
     if (options->rays.given() && !options->out.empty() && !options->pieces.any())
       throw CLI::ParseError("--rays excludes --out: the rays of a file make no picture",

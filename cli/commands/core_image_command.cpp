@@ -14,6 +14,7 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
@@ -130,9 +131,8 @@ void write_image(ImageCommand command) {
 
 }  // namespace
 
-CLI::App* add_image_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App* const command =
-      program.add_subcommand("image", "Write a scene as the memory of a traversal core holds it");
+CLI::App* add_core_image_command(CLI::App& core, int& /*exit_code*/) {
+  CLI::App* const command = core.add_subcommand("image", "Write a scene as the memory of a core holds it");
   const auto options = std::make_shared<ImageCommand>();
   add_scene_options(*command, options->scene);
   add_hierarchy_options(*command, options->hierarchy, Boxes::integers);
@@ -147,6 +147,8 @@ CLI::App* add_image_command(CLI::App& program, int& /*exit_code*/) {
   places->delimiter(',')->transform(number_from(0, most_places))->type_name("N");
   add_cache_options(*command, options->caches)->needs(places);
   add_format_option(*command, options->format);
+  add_examples(*command, {"hitpipe core image --scene spheres --out spheres.bin",
+                          "hitpipe core image --scene terrain --stack 4,8 --cache 16"});
   command->callback([options] { write_image(*options); });
   return command;
 }

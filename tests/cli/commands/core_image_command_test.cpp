@@ -1,4 +1,4 @@
-// `hitpipe image`: the file has the blocks that the library makes, and the figures are of that file.
+// `hitpipe core image`: the file has the blocks that the library makes, and the figures are of that file.
 #include <cstring>
 
 #include <gmock/gmock.h>
@@ -22,8 +22,8 @@ class ImageCommand : public testing::Test {
 };
 
 TEST_F(ImageCommand, WritesTheBlocks) {
-  const Outcome outcome = run_hitpipe(
-      {"image", "--scene", "spheres", "--bits", "16+1s16", "--out", file_.string(), "--format", "json"});
+  const Outcome outcome = run_hitpipe({"core", "image", "--scene", "spheres", "--bits", "16+1s16", "--out",
+                                       file_.string(), "--format", "json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto row = nlohmann::json::parse(outcome.out);
   const std::string bytes = contents_of(file_);
@@ -38,8 +38,8 @@ TEST_F(ImageCommand, WritesTheBlocks) {
 }
 
 TEST_F(ImageCommand, SaysWhatRaysRead) {
-  const Outcome outcome = run_hitpipe({"image", "--scene", "spheres", "--width", "16", "--height", "16",
-                                       "--stack", "0,8", "--format", "csv"});
+  const Outcome outcome = run_hitpipe({"core", "image", "--scene", "spheres", "--width", "16", "--height",
+                                       "16", "--stack", "0,8", "--format", "csv"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               HasSubstr("stack,rays,records_a_ray,triangles_a_ray,restarts_a_ray,bytes_a_ray\n0,"));
@@ -56,8 +56,8 @@ TEST_F(ImageCommand, BytesBehindACacheAreThoseOfACoreWithOneRay) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return nlohmann::json::parse(outcome.out).at(0);
   };
-  const auto walked = row_of({"image", "--stack", "8", "--cache", "4,64"});
-  const std::vector<std::string> core{"trace", "--native", "--stack", "8", "--rays-in-flight", "1"};
+  const auto walked = row_of({"core", "image", "--stack", "8", "--cache", "4,64"});
+  const std::vector<std::string> core{"core", "trace", "--native", "--stack", "8", "--rays-in-flight", "1"};
   for (const auto& [kib, column] : {std::pair{"4", "bytes_a_ray_4kib"}, std::pair{"64", "bytes_a_ray_64kib"},
                                     std::pair{"0", "bytes_a_ray"}}) {
     std::vector<std::string> words = core;
@@ -68,15 +68,15 @@ TEST_F(ImageCommand, BytesBehindACacheAreThoseOfACoreWithOneRay) {
 }
 
 TEST_F(ImageCommand, ShowsCachesInALineEach) {
-  const Outcome outcome = run_hitpipe({"image", "--scene", "statue", "--width", "16", "--height", "16",
-                                       "--stack", "2,8", "--cache", "4", "--cache-ways", "1"});
+  const Outcome outcome = run_hitpipe({"core", "image", "--scene", "statue", "--width", "16", "--height",
+                                       "16", "--stack", "2,8", "--cache", "4", "--cache-ways", "1"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, ContainsRegex("\nstack +2\n(.*\n)*bytes_a_ray_4kib .*\n\nstack +8\n"));
 }
 
 TEST_F(ImageCommand, RefusesWhatItCannotDo) {
   const auto refused = [&](std::vector<std::string> more) {
-    std::vector<std::string> words{"image", "--scene", "spheres", "--out", file_.string()};
+    std::vector<std::string> words{"core", "image", "--scene", "spheres", "--out", file_.string()};
     words.insert(words.end(), more.begin(), more.end());
     const Outcome outcome = run_hitpipe(words);
     EXPECT_EQ(outcome.exit_code, 2);

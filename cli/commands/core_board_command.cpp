@@ -1,16 +1,25 @@
-#include "cli/commands/board_core.hpp"
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/commands.hpp"
 #include "cli/commands/board_chips.hpp"
-#include "cli/commands/cores.hpp"
+#include "cli/options/board_options.hpp"
+#include "cli/options/core_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
+#include "cli/text/table.hpp"
 #include "host/files.hpp"
 #include "host/serial_port.hpp"
 #include "rtl_gen/board/core_top.hpp"
@@ -27,7 +36,18 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// As `hitpipe implement` puts it on the board.
+struct CoreBoardCommand {
+  std::optional<std::string> bits;  ///< without: those of the board's usual core
+  BoardChoice board{"icebreaker", {}};
+  std::string port;
+  bool simulate = false;
+  SceneChoice scene;
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
+  std::string out;  ///< empty: no picture is written
+  OutputFormat format = OutputFormat::text;
+};
+
+/// As `hitpipe core implement` puts it on the board.
 rtl::Library library_of(const rtl::Board& board) {
   return rtl::library_called(sim::target_called(board.target).library);
 }
@@ -36,9 +56,9 @@ std::string text_of(const rtl::Core& core) {
   return rtl::to_string(rtl::Format(core.options.bits));
 }
 
-}  // namespace
-
-int trace_by_board(const BoardCore& choice) {
+/// Writes the scene's image to the board, sends the rays of its picture, and compares each answer with
+/// software. Returns the exit code.
+int trace_by_board(const CoreBoardCommand& choice) {
   const rtl::Board board = choice.board.board();
   const rtl::CoreOptions options = core_on_board(board, choice.bits);
   const int baud = choice.board.baud.value_or(board.baud);
@@ -77,7 +97,7 @@ int trace_by_board(const BoardCore& choice) {
   const std::uint64_t wrong = picture.wrong(answers);
   const auto hits = std::count_if(answers.begin(), answers.end(),
                                   [](const sim::CoreAnswer& answer) { return answer.hit.found(); });
-  Row row{{"core", core_name},
+  Row row{{"core", core.module},
           {"bits", text_of(core)},
           {"port", choice.port},
           {"baud", baud},
@@ -104,7 +124,8 @@ int trace_by_board(const BoardCore& choice) {
   return 0;
 }
 
-int simulate_core(const BoardCore& choice) {
+/// Is the board, until interrupted.
+int simulate_core(const CoreBoardCommand& choice) {
   const rtl::Board board = choice.board.board();
   std::optional<Progress> progress("compiling the Verilog");
   const rtl::Library library = library_of(board);
@@ -116,15 +137,44 @@ int simulate_core(const BoardCore& choice) {
   progress.reset();
   const std::string bits = text_of(core);
   fmt::print(
-      "{}", record_text({{"core", core_name},
+      "{}", record_text({{"core", core.module},
                          {"bits", bits},
                          {"port", simulated.port()},
-                         {"trace_with", fmt::format("hitpipe board core{} --port {} --scene SCENE",
+                         {"trace_with", fmt::format("hitpipe core board{} --port {} --scene SCENE",
                                                     choice.bits ? " --bits " + bits : "", simulated.port())}},
                         choice.format));
   std::fflush(stdout);
   simulated.run([] { return false; });
   return 0;
+}
+
+}  // namespace
+
+CLI::App* add_core_board_command(CLI::App& core, int& exit_code) {
+  CLI::App* const command =
+      core.add_subcommand("board", "Trace a scene by a core on a board, or simulate the board");
+  const auto options = std::make_shared<CoreBoardCommand>();
+  add_core_bits_option(*command, options->bits, "the board's");
+  CLI::Option* const port = add_port_option(*command, options->port);
+  add_board_option(*command, options->board, "The board, which tells the usual rate")->capture_default_str();
+  add_baud_option(*command, options->board)->needs(port);
+  CLI::Option* const simulate = add_simulate_option(*command, options->simulate);
+  needs_one_of(*command, {port, simulate});
+  add_scene_options(*command, options->scene);
+  CLI::Option* const scene = command->get_option("--scene")->required(false);
+  port->needs(scene);
+  add_hierarchy_options(*command, options->hierarchy, Boxes::integers);
+  add_folder_option(*command, options->out,
+                    "Folder for the picture that the answers make, SCENE.png; written when all are right");
+  exclude_all_but(*command, simulate, {"--board", "--bits", "--format"}, "the other side has the scene");
+  add_format_option(*command, options->format);
+  add_examples(*command, {"hitpipe core board --port /dev/ttyUSB1 --scene spheres --out out",
+                          "hitpipe core board --simulate"});
+  command->callback([options, &exit_code] {
+    options->hierarchy.build.threads = options->scene.threads;
+    exit_code = options->simulate ? simulate_core(*options) : trace_by_board(*options);
+  });
+  return command;
 }
 
 }  // namespace hitpipe::cli

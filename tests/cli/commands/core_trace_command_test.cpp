@@ -1,4 +1,4 @@
-// `hitpipe trace`: a core answers every ray of a picture, and the figures say how busy it was.
+// `hitpipe core trace`: a core answers every ray of a picture, and the figures say how busy it was.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 std::vector<std::string> words(std::vector<std::string> more) {
-  std::vector<std::string> all{"trace", "--scene", "spheres", "--width", "24", "--height", "24"};
+  std::vector<std::string> all{"core", "trace", "--scene", "spheres", "--width", "24", "--height", "24"};
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -103,7 +103,8 @@ TEST(TraceCommand, TracesTheRaysOfAFile) {
   const std::string rays =
       folder.write("rays.csv", "ox,oy,oz,dx,dy,dz,any\n0,9,0,0,-1,0,0\n0,9,0,0.1,-1,0,1\n0,9,0,0,1,0,0\n")
           .string();
-  const std::vector<std::string> words{"trace", "--scene", "spheres", "--rays", rays, "--format", "json"};
+  const std::vector<std::string> words{"core",   "trace", "--scene",  "spheres",
+                                       "--rays", rays,    "--format", "json"};
   for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--native"}}) {
     const Outcome outcome = run_hitpipe(with(words, more));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

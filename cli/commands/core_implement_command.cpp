@@ -1,0 +1,94 @@
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/commands/board_chips.hpp"
+#include "cli/options/board_options.hpp"
+#include "cli/options/core_options.hpp"
+#include "cli/options/implement_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/help.hpp"
+#include "cli/text/implementation_text.hpp"
+#include "cli/text/progress.hpp"
+#include "sim/implement/core_implementation.hpp"
+#include "sim/implement/target.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+struct CoreImplementCommand {
+  CoreChoice core;
+  std::string target;
+  BoardChoice board;
+  sim::ImplementOptions options;
+  OutputFormat format = OutputFormat::text;
+};
+
+/// Of a core alone, which has more pins than a chip that is placed. Returns the exit code.
+int map_core(const CoreImplementCommand& command) {
+  rtl::CoreOptions core_options = command.core.core();
+  core_options.clock_ps = command.options.clock_ps;
+  const sim::Target target = sim::target_called(command.target);
+  std::optional<Progress> progress;
+  sim::ImplementOptions options = command.options;
+  options.seeds = 0;
+  options.progress = [&](const std::string& step) { progress.emplace(step); };
+  const sim::CoreImplementation core = sim::implement_core(core_options, target, options);
+  progress.reset();
+
+  const std::string bits = rtl::to_string(rtl::Format(core_options.bits));
+  Row row{{"core", core.chip.module}, {"bits", bits},        {"rays", core_options.rays},
+          {"target", target.name},    {"chip", target.chip}, {"library", core.chip.library},
+          {"clock_ps", core.clock_ps}};
+  row.update(taken_row(core.chip));
+  row["memory_bits"] = core.memory_bits;
+  row.update(tools_row(core.chip));
+  keep_and_print(std::move(row), options.folder / target.name / (core.chip.module + "_implementation.json"),
+                 command.format);
+  const std::string fault = fault_of(target, core.chip);
+  if (fault.empty()) return 0;
+  fmt::print(stderr, "hitpipe: core {} {}\n", bits, fault);
+  return 1;
+}
+
+}  // namespace
+
+CLI::App* add_core_implement_command(CLI::App& core, int& exit_code) {
+  CLI::App* const command =
+      core.add_subcommand("implement", "Map a core to a chip, or make a bitstream with it for a board");
+  const auto options = std::make_shared<CoreImplementCommand>();
+  add_core_bits_option(*command, options->core.bits, rtl::to_string(rtl::Format(options->core.options.bits)));
+  CLI::Option* const target = add_target_option(*command, options->target);
+  CLI::Option* const board =
+      add_board_option(*command, options->board,
+                       "Make a bitstream for a board, which has a core of its own behind a serial line");
+  add_baud_option(*command, options->board)->needs(board);
+  needs_one_of(*command, {target, board});
+  add_implement_options(*command, options->options);
+  add_count_option(
+      *command, "--clock-ps", options->options.clock_ps, {1, 1'000'000'000},
+      "Clock period in picoseconds for the schedule of its units; by default that of the slowest "
+      "machine, on a board three quarters of its clock");
+  add_seeds_option(*command, options->options.seeds)->needs(board);
+  for (CLI::Option* const option : add_one_core_options(*command, options->core))
+    exclude(option, board, "a board has a core of its own");
+  for (CLI::Option* const option : add_core_port_options(*command, options->core))
+    exclude(option, board, "a board has a core of its own");
+  add_format_option(*command, options->format);
+  add_examples(*command, {"hitpipe core implement --target xc7 --out core",
+                          "hitpipe core implement --board icebreaker --out core"});
+  command->callback([options, &exit_code] {
+    exit_code = options->board.name.empty() ? map_core(*options)
+                                            : implement_core_on_board(options->core.bits, options->board,
+                                                                      options->options, options->format);
+  });
+  return command;
+}
+
+}  // namespace hitpipe::cli
