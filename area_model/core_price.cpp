@@ -6,7 +6,7 @@ namespace hitpipe::area {
 
 CorePrice price(const rtl::Core& core, const rtl::Library& library) {
   CorePrice made;
-  for (const rtl::CorePart& part : core.parts) {
+  for (const rtl::Part& part : core.parts) {
     CorePartPrice& of = made.parts.emplace_back();
     if (part.graph) {
       const MachinePrice machine = price(*part.graph, library);

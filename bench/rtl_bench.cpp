@@ -27,8 +27,7 @@ void generate(benchmark::State& state, const std::string& name) {
   const rtl::Library& library = rtl::Library::thesis();
   const rtl::Format format = design.default_format;
   for (auto _ : state) {
-    auto files = rtl::files_and_drawings(
-        rtl::emit(design, format, library, rtl::make_pipeline(design.trace(format), library)));
+    auto files = rtl::files_and_drawings(rtl::emit(rtl::make_unit(design, format, library)));
     benchmark::DoNotOptimize(files);
   }
 }
@@ -90,7 +89,7 @@ void cosimulate_spheres(benchmark::State& state, const std::string& name) {
   const rtl::Format format = design.default_format;
   const ref::Scene scene = ref::load_scene("spheres");
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const sim::VerilatedDesign verilated(sim::make_unit(design, format, rtl::Library::thesis()));
+  const sim::VerilatedDesign verilated(rtl::make_unit(design, format, rtl::Library::thesis()));
   sim::CosimResult all;
   double bit_level_seconds = 0;
   double referee_seconds = 0;

@@ -6,7 +6,7 @@
 #include "area_model/price.hpp"
 #include "sw_ref/render/recording.hpp"
 #include "sw_ref/trace/int_slabs.hpp"
-#include "sw_ref/trace/traversal.hpp"
+#include "sw_ref/trace/walk.hpp"
 #include "thesis/adaptive_slabs.hpp"
 #include "thesis/proposals.hpp"
 
@@ -47,7 +47,7 @@ class Measured {
     ref::IntSlabsTest large(ray, large_formats[0]);
     std::vector<AdaptiveSlabs> small;
     for (const hls::IntBits& bits : small_formats) small.emplace_back(ray, bits);
-    ref::Traversal traversal(bvh_, mesh_, ray, query);
+    ref::BoxWalk traversal(bvh_, ref::FloatWorld(mesh_, bvh_, ray), query);
     float length = traversal.length();
     while (!traversal.done()) {
       const std::uint32_t node = traversal.node();

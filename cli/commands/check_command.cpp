@@ -70,8 +70,7 @@ CheckFindings findings(const CheckCommand& command, host::Piece piece) {
   std::optional<sim::VerilatedDesign> verilated;
   if (command.rtl) {
     progress.emplace("compiling the Verilog");
-    verilated.emplace(
-        sim::make_unit(design, format, rtl::Library::thesis(), rtl::FlowControl::stall, command.interval));
+    verilated.emplace(rtl::make_unit(design, format, rtl::Library::thesis(), {.interval = command.interval}));
   }
   progress.emplace("judging");
   const sim::MakeBoxTest& make_comparison = sim::software_of(design).comparison_test;
@@ -166,7 +165,7 @@ int replay(const CheckCommand& command) {
   bool rtl_differs = false;
   if (command.rtl) {
     const sim::VerilatedDesign verilated(
-        sim::make_unit(design, format, rtl::Library::thesis(), rtl::FlowControl::stall, command.interval));
+        rtl::make_unit(design, format, rtl::Library::thesis(), {.interval = command.interval}));
     sim::Model model(verilated);
     sim::TestBatch one;
     one.add(test->operands(), test->results());

@@ -49,7 +49,7 @@ void emit_core(const CoreRtlCommand& command) {
           {"bits", rtl::to_string(rtl::Format(core.options.bits))},
           {"rays", core.options.rays},
           {"door", rtl::door_name(core.options.door)}};
-  for (const rtl::CorePart& part : core.parts)
+  for (const rtl::Part& part : core.parts)
     if (part.pipeline) row[fmt::format("{}_latency", part.name)] = part.pipeline->latency();
   row.update(Row{{"clock_ps", core.clock_ps},
                  {"library", library.name()},

@@ -58,14 +58,15 @@ struct CosimCommand {
 };
 
 /// Made here, or read from a folder.
-sim::Unit unit_of(const CosimCommand& command, const rtl::Library& library) {
+rtl::Unit unit_of(const CosimCommand& command, const rtl::Library& library) {
   const rtl::Design& design = command.choice.design();
-  return command.unit.empty() ? sim::make_unit(design, command.choice.format(), library, command.flow_control,
-                                               command.interval)
-                              : sim::read_unit(command.unit, design, library);
+  return command.unit.empty()
+             ? rtl::make_unit(design, command.choice.format(), library,
+                              {.flow_control = command.flow_control, .interval = command.interval})
+             : rtl::read_unit(command.unit, design, library);
 }
 
-Row record(const CosimCommand& command, const sim::Unit& unit, const ref::Scene& scene,
+Row record(const CosimCommand& command, const rtl::Unit& unit, const ref::Scene& scene,
            const ref::LoadedBvh& hierarchy, const sim::CosimResult& r) {
   const auto or_null = [](std::optional<std::uint64_t> count) { return count ? Row(*count) : Row(nullptr); };
   // Where each test answers for one box, tests and boxes are the same.
@@ -152,8 +153,8 @@ int cosimulate(const CosimCommand& command, const CLI::App& parsed) {
   if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
   if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
   const rtl::Library library = rtl::library_called(command.library);
-  const sim::Unit bare = unit_of(command, library);
-  const sim::Unit unit = command.ray_slots ? sim::behind_ray_slots(bare, *command.ray_slots) : bare;
+  const rtl::Unit bare = unit_of(command, library);
+  const rtl::Unit unit = command.ray_slots ? rtl::behind_ray_slots(bare, *command.ray_slots) : bare;
 
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
@@ -172,10 +173,7 @@ int cosimulate(const CosimCommand& command, const CLI::App& parsed) {
   if (!command.out.empty()) host::make_folder(folder);
   rtl::UnitFiles written;
   if (emits) {
-    const rtl::EmittedDesign emitted = rtl::emit(
-        design, unit.format, library, unit.pipeline,
-        {.flow_control = unit.flow_control, .ray_slots = command.ray_slots, .verilog = &bare.verilog});
-    written = rtl::write_unit(folder, emitted);
+    written = rtl::write_unit(folder, rtl::emit(bare, {.ray_slots = command.ray_slots}));
   }
   progress.emplace("co-simulating");
   const sim::CosimResult result = sim::cosimulate(verilated, scene, hierarchy.bvh,
@@ -205,7 +203,7 @@ int cosimulate(const CosimCommand& command, const CLI::App& parsed) {
     row["image"] = image.string();
   }
   if (emits) {
-    row["verilog"] = (folder / (unit.module + ".v")).string();
+    row["verilog"] = (folder / (unit.module() + ".v")).string();
     row["schematics"] = schematics(folder, written);
   }
   fmt::print("{}", record_text(row, command.format));
@@ -248,7 +246,7 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
   add_scene_options(*command, options->scene);
   add_hierarchy_options(*command, options->hierarchy);
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight,
-                   {1, sim::RayUnit::most_rays_in_flight}, "Rays that share one pipeline")
+                   {1, sim::Station::most_rays}, "Rays that share one pipeline")
       ->capture_default_str();
   add_count_option(
       *command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},

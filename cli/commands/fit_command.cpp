@@ -24,6 +24,7 @@
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/fit/fit_scene.hpp"
 #include "sim/generic_tracer.hpp"
+#include "sim/unit/unit_set_up.hpp"
 
 namespace hitpipe::cli {
 
@@ -109,7 +110,8 @@ sim::SweepRow measured(const sim::FitResult& fitted, const sim::TriangleCost& tr
   sim::SweepRow row = sim::priced_row(*unit.design, unit.format, unit.price);
   row.triangle = triangle;
   if (!tests_only) row.set_up = sim::set_up_cost(*unit.design, unit.format, rtl::Library::thesis());
-  row.bytes_per_node = static_cast<int>(sim::bytes_per_node(*unit.design, unit.format, unit.coarse));
+  row.bytes_per_node =
+      static_cast<int>(sim::bytes_per_node(*unit.design, unit.format, sim::coarse_axes(unit)));
   sim::add_counts(row, fitted.image);
   return row;
 }
@@ -127,8 +129,8 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const ref
   Row row{{"design", unit.design->name},
           {"bits", rtl::to_string(unit.format)},
           {"bits_before", rtl::to_string(unit.before)},
-          {"dropped_bits", unit.coarse.dropped},
-          {"ray_ends", unit.ends},
+          {"dropped_bits", sim::coarse_axes(unit).dropped},
+          {"ray_ends", sim::takes_ends(unit)},
           {"endless_extra_box_tests_pct", unit.precision && unit.precision->endless_extra_box_tests_pct
                                               ? Row(*unit.precision->endless_extra_box_tests_pct)
                                               : Row(nullptr)},
@@ -143,7 +145,7 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const ref
           {"area_delay_before_mm2_ns", area_delay(unit.price_before)},
           {"area_delay_mm2_ns", area_delay(unit.price)},
           {"bytes_per_node_before", sim::bytes_per_node(*unit.design, unit.before)},
-          {"bytes_per_node", sim::bytes_per_node(*unit.design, unit.format, unit.coarse)},
+          {"bytes_per_node", sim::bytes_per_node(*unit.design, unit.format, sim::coarse_axes(unit))},
           {"rays", result.rays_primary + result.rays_secondary + result.rays_shadow},
           {"box_tests", result.unit.box_tests},
           {"extra_box_tests_pct", result.extra_box_tests_pct()},

@@ -103,8 +103,8 @@ int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const Design
   const bool judged = design != nullptr;
   sim::PictureOptions options{
       .width = chosen.width, .height = chosen.height, .threads = chosen.threads, .build = choice.build};
-  std::optional<sim::Unit> unit;
-  if (judged) unit = sim::make_unit(design->design(), design->format(), rtl::Library::thesis());
+  std::optional<rtl::Unit> unit;
+  if (judged) unit = rtl::make_unit(design->design(), design->format(), rtl::Library::thesis());
 
   std::optional<Progress> progress("reading the scene");
   const ref::SceneDescription read = ref::describe_scene(chosen.name, chosen.placing);

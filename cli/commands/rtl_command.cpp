@@ -55,17 +55,16 @@ void emit_rtl(const RtlOptions& options) {
   const rtl::Library library = rtl::library_called(options.library, options.block_luts);
   const rtl::Pipeline pipeline =
       rtl::make_pipeline(design.trace(format), library, options.clock_ps, options.interval);
-  const rtl::FlowControl flow = flow_control_of(options, pipeline);
+  const rtl::Unit unit = rtl::make_unit(
+      design, format, library, pipeline,
+      {.module = options.name.value_or(""), .flow_control = flow_control_of(options, pipeline)});
   const rtl::VectorSet vectors =
       sim::design_vectors(design, format, static_cast<std::size_t>(options.vectors), options.seed);
-  const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline,
-                                               {.module = options.name.value_or(""),
-                                                .flow_control = flow,
-                                                .axi_stream = options.axi_stream,
-                                                .fifo = options.fifo,
-                                                .ray_slots = options.ray_slots,
-                                                .hls = options.hls,
-                                                .vectors = &vectors});
+  const rtl::EmittedDesign emitted = rtl::emit(unit, {.axi_stream = options.axi_stream,
+                                                      .fifo = options.fifo,
+                                                      .ray_slots = options.ray_slots,
+                                                      .hls = options.hls,
+                                                      .vectors = &vectors});
   const rtl::UnitFiles written = rtl::write_unit(options.out, emitted);
 
   std::vector<std::string> names;
@@ -76,7 +75,7 @@ void emit_rtl(const RtlOptions& options) {
                 {"module", emitted.module},
                 {"stages", pipeline.schedule.stages},
                 {"latency", pipeline.latency()},
-                {"flow_control", rtl::flow_control_name(flow)},
+                {"flow_control", rtl::flow_control_name(unit.flow_control())},
                 {"clock_ps", pipeline.schedule.clock_ps},
                 {"library", library.name()},
                 {"vectors", vectors.size()},

@@ -330,7 +330,7 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
                   "for n/t designs, n from 8 to 32 in steps of 4, each with t of n, n+4 and n+8");
   add_list_option(*command, "--rays-in-flight", options->rays_in_flight,
                   "Rays that share one pipeline; one row for each number (1 to 65536; default: 32)", "K")
-      ->transform(number_from(1, sim::RayUnit::most_rays_in_flight));
+      ->transform(number_from(1, sim::Station::most_rays));
   add_intervals_option(*command, options->intervals,
                        "a test may begin every N cycles; one row for each number");
   add_list_option(

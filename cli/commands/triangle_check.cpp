@@ -8,7 +8,7 @@
 
 #include "cli/commands/categories.hpp"
 #include "cli/text/progress.hpp"
-#include "sim/unit/unit.hpp"
+#include "rtl_gen/part/unit.hpp"
 
 namespace hitpipe::cli {
 
@@ -57,8 +57,7 @@ TriangleFindings check_triangle_unit(const TriangleCheck& command) {
   std::optional<sim::VerilatedDesign> verilated;
   if (command.rtl) {
     progress.emplace("compiling the Verilog");
-    verilated.emplace(
-        sim::make_unit(design, format, rtl::Library::thesis(), rtl::FlowControl::stall, command.interval));
+    verilated.emplace(rtl::make_unit(design, format, rtl::Library::thesis(), {.interval = command.interval}));
     options.rtl = &*verilated;
   }
   progress.emplace("judging");

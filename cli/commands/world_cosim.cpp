@@ -66,7 +66,8 @@ int cosimulate_world(const WorldCosim& command, const CLI::App& parsed) {
   const rtl::Design& boxes = rtl::find_design(command.box_unit);
   const rtl::Library library = rtl::library_called(command.library);
   const auto unit_of = [&](const rtl::Design& its_design, const rtl::Format& its_format) {
-    return sim::make_unit(its_design, its_format, library, command.flow_control, command.interval);
+    return rtl::make_unit(its_design, its_format, library,
+                          {.flow_control = command.flow_control, .interval = command.interval});
   };
   std::optional<Progress> progress("reading the scene");
   const ref::Scene loaded = command.scene.load();

@@ -190,12 +190,12 @@ std::vector<Schematic> draw_schematics(std::span<const rtl::Design* const> desig
   for (const rtl::Design* const each : designs) {
     const rtl::Design& design = *each;
     const rtl::Format format = design.default_format;
-    const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
-    const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline);
-    std::optional<std::vector<rtl::File>> drawings = rtl::draw(emitted.schematics);
+    const rtl::Unit unit = rtl::make_unit(design, format, library);
+    std::optional<std::vector<rtl::File>> drawings = rtl::draw(rtl::emit(unit).schematics);
     if (!drawings) return {};
     Schematic schematic{
-        fmt::format("{} {}: {} stages", design.name, rtl::to_string(format), pipeline.schedule.stages), {}};
+        fmt::format("{} {}: {} stages", design.name, rtl::to_string(format), unit.pipeline->schedule.stages),
+        {}};
     for (rtl::File& file : *drawings) {
       std::string words = file.name.substr(0, file.name.rfind('.'));
       std::replace(words.begin(), words.end(), '_', ' ');

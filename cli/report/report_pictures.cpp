@@ -114,7 +114,7 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
                row_of("software", reference.box_tests, reference.triangle_tests, render + " --out FILE.png"));
 
   const std::string unit = choice.design->name_at(choice.format);
-  const sim::VerilatedDesign verilated(sim::make_unit(*choice.design, choice.format, *choice.library));
+  const sim::VerilatedDesign verilated(rtl::make_unit(*choice.design, choice.format, *choice.library));
   const sim::CosimResult rtl = sim::cosimulate(verilated, scene, bvh,
                                                {.width = choice.width,
                                                 .height = choice.height,

@@ -33,7 +33,7 @@ std::vector<Port> ports_of(const Core& core, std::string_view before) {
     ports.push_back({rest, port.pin.width, port.pin.is_signed});
     ports.back().comment = port.pin.comment;
     const CorePort::End& end = port.ends.front();
-    if (const CorePart& part = core.parts[end.part]; part.design != nullptr) {
+    if (const Part& part = core.parts[end.part]; part.design != nullptr) {
       const std::vector<Port> operands = part.design->ports(part.format);
       if (const auto operand = index_of(operands, rest)) ports.back().kind = operands[*operand].kind;
     }

@@ -23,7 +23,7 @@ struct Candidate {
 
 std::map<std::string_view, std::set<std::string>> in_block_rams(const Core& core, int most) {
   std::vector<Candidate> candidates;
-  for (const CorePart& part : core.parts) {
+  for (const Part& part : core.parts) {
     if (!part.graph) continue;
     for (const hls::MemoryShape& memory : part.graph->memories)
       if (memory.is_late()) candidates.push_back({part.name, &memory});

@@ -141,7 +141,7 @@ class Maker {
     }
     if (options.weights)
       for (const CorePin& pin : pins::weights) add_port(pin);
-    for (const CorePart& part : core_.parts)
+    for (const Part& part : core_.parts)
       for (const Pin& pin : part.interface.pins)
         if (pin.is_input && pin.role != Pin::Role::clock && pin.role != Pin::Role::reset &&
             !is_driven(place_of(part.name), pin_place(part, pin.name)))
@@ -151,22 +151,19 @@ class Maker {
 
  private:
   void add_machine(std::string_view name, const Format& format) {
-    CorePart part{.name = name, .format = format, .interface = {}, .machine = machine_called(name)};
-    part.graph = part.machine->graph(format);
-    part.interface = machine_interface(module_of(core_, name), *part.graph);
-    core_.clock_ps = std::max(core_.clock_ps, longest_path(*part.graph, units_.library()).clock_ps);
+    Part part = machine_part(*machine_called(name), format, module_of(core_, name));
+    core_.clock_ps = std::max(core_.clock_ps, part.clock_ps(units_.library()));
     core_.parts.push_back(std::move(part));
   }
 
   void add_unit(std::string_view name, const std::string& design_name, const Format& format, int interval,
                 FlowControl flow = FlowControl::none) {
     const Design& design = find_design(design_name);
-    CorePart part{.name = name, .format = format, .interface = {}, .design = &design};
     const int clock_ps = std::max(core_.clock_ps, core_.options.clock_ps.value_or(0));
-    part.pipeline = units_.pipeline(design, format, interval, clock_ps);
-    core_.clock_ps = std::max(core_.clock_ps, part.pipeline->schedule.clock_ps);
-    part.interface = unit_interface(module_of(core_, name), design.ports(format),
-                                    result_ports(design.results(format)), flow, interval);
+    Part part = unit_part(design, format, module_of(core_, name),
+                          units_.pipeline(design, format, interval, clock_ps), flow);
+    part.name = name;
+    core_.clock_ps = std::max(core_.clock_ps, part.clock_ps(units_.library()));
     for (Pin& pin : part.interface.pins)
       if (pin.role == Pin::Role::tag) pin.width = core_.options.ray_bits();
     core_.parts.push_back(std::move(part));
@@ -175,7 +172,7 @@ class Maker {
   /// It waits for the door.
   void add_ray_unit() {
     add_unit("ray", "int_ray", core_.options.bits, CoreOptions::door_interval, FlowControl::stall);
-    CorePart& unit = core_.parts.back();
+    Part& unit = core_.parts.back();
     std::vector<Pin> pins;
     for (Pin& pin : unit.interface.pins) {
       if (pin.role == Pin::Role::tag) pin.width = core_.options.tag_bits;
@@ -192,7 +189,7 @@ class Maker {
                                       [&](const RayResult& result) { return result.output == pin.name; });
       const std::string input =
           named != ray_unit_results.end() ? std::string(named->input) : fmt::format("ray_{}", pin.name);
-      for (const CorePart& part : core_.parts)
+      for (const Part& part : core_.parts)
         if (part.machine != nullptr && find_pin(part, input)) join({"ray", pin.name, part.name, input});
     }
     const std::size_t place = place_of("ray");
@@ -205,14 +202,14 @@ class Maker {
   [[nodiscard]] std::size_t place_of(std::string_view name) const {
     return static_cast<std::size_t>(&core_.part(name) - core_.parts.data());
   }
-  [[nodiscard]] static std::optional<std::size_t> find_pin(const CorePart& part, std::string_view name) {
+  [[nodiscard]] static std::optional<std::size_t> find_pin(const Part& part, std::string_view name) {
     const std::vector<Pin>& pins = part.interface.pins;
     const auto found =
         std::find_if(pins.begin(), pins.end(), [&](const Pin& pin) { return pin.name == name; });
     if (found == pins.end()) return std::nullopt;
     return static_cast<std::size_t>(found - pins.begin());
   }
-  [[nodiscard]] static std::size_t pin_place(const CorePart& part, std::string_view name) {
+  [[nodiscard]] static std::size_t pin_place(const Part& part, std::string_view name) {
     const std::optional<std::size_t> place = find_pin(part, name);
     if (!place) throw std::logic_error(fmt::format("core: there is no {}.{}", part.name, name));
     return *place;
@@ -273,7 +270,7 @@ class Maker {
   void add_port(const CorePin& of) {
     std::vector<CorePort::End> ends;
     for (std::size_t i = 0; i < core_.parts.size(); ++i) {
-      const CorePart& part = core_.parts[i];
+      const Part& part = core_.parts[i];
       if (part.machine == nullptr || (!of.from.empty() && part.name != of.from)) continue;
       const std::optional<std::size_t> pin = find_pin(part, of.name);
       if (pin && part.interface.pins[*pin].is_input == of.from.empty() && !is_driven(i, *pin))
@@ -306,13 +303,13 @@ class Nets {
 
   [[nodiscard]] std::string declarations() const {
     std::string text;
-    for (const CorePart& part : core_.parts)
+    for (const Part& part : core_.parts)
       for (const Pin& pin : part.interface.pins)
         if (!pin.is_input) text += fmt::format("  wire {}{};\n", vector_range(pin.width), net(part, pin));
     return text;
   }
   [[nodiscard]] std::string instance(std::size_t place) const {
-    const CorePart& part = core_.parts[place];
+    const Part& part = core_.parts[place];
     const std::vector<Pin>& pins = part.interface.pins;
     const auto wire = [&](const Pin& pin) {
       return pin.is_input ? source(place, static_cast<std::size_t>(&pin - pins.data())) : net(part, pin);
@@ -341,7 +338,7 @@ class Nets {
     std::string text;
     for (const CorePort& port : core_.ports)
       if (!port.pin.is_input) {
-        const CorePart& part = core_.parts[port.ends.front().part];
+        const Part& part = core_.parts[port.ends.front().part];
         text += fmt::format("  assign {} = {};\n", port.pin.name,
                             net(part, part.interface.pins[port.ends.front().pin]));
       }
@@ -349,7 +346,7 @@ class Nets {
   }
 
  private:
-  static std::string net(const CorePart& part, const Pin& pin) {
+  static std::string net(const Part& part, const Pin& pin) {
     return fmt::format("{}_{}", part.name, pin.name);
   }
   [[nodiscard]] std::string source(std::size_t part, std::size_t pin) const {
@@ -365,20 +362,6 @@ class Nets {
   const Core& core_;
 };
 
-std::string part_verilog(const CorePart& part, const Library& library,
-                         const std::set<std::string>& in_block_rams) {
-  const std::string bits = to_string(part.format);
-  if (part.graph)
-    return to_verilog(*part.graph,
-                      {.module = part.interface.module, .bits = bits, .in_block_rams = in_block_rams});
-  return to_verilog(*part.pipeline, library,
-                    {.module_name = part.interface.module,
-                     .bits = bits,
-                     .flow_control = part.interface.flow_control(),
-                     .operands = part.design->ports(part.format),
-                     .results = part.design->results(part.format)});
-}
-
 }  // namespace
 
 int CoreOptions::ray_bits() const {
@@ -390,9 +373,9 @@ std::string CoreOptions::module() const {
   return bits == CoreOptions{}.bits ? name : fmt::format("{}_{}", name, Format(bits).identifier());
 }
 
-const CorePart& Core::part(std::string_view name) const {
+const Part& Core::part(std::string_view name) const {
   const auto found =
-      std::find_if(parts.begin(), parts.end(), [&](const CorePart& part) { return part.name == name; });
+      std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.name == name; });
   if (found == parts.end()) throw std::logic_error(fmt::format("core: there is no part {}", name));
   return *found;
 }
@@ -443,7 +426,7 @@ std::string to_verilog(const Core& core, const Library& library) {
   text += nets.outputs() + "endmodule\n";
   text += "\n/* verilator lint_off DECLFILENAME */\n";
   auto marked = in_block_rams(core, core.options.block_rams);
-  for (const CorePart& part : core.parts) text += "\n" + part_verilog(part, library, marked[part.name]);
+  for (const Part& part : core.parts) text += "\n" + to_verilog(part, library, marked[part.name]);
   return text + "/* verilator lint_on DECLFILENAME */\n";
 }
 

@@ -10,10 +10,8 @@
 #include <vector>
 
 #include "hls/world/ray_format.hpp"
-#include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
-#include "rtl_gen/machine/machine.hpp"
-#include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/part/part.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
@@ -66,19 +64,6 @@ struct CoreOptions {
   [[nodiscard]] std::string module() const;
 };
 
-/// A machine or a unit.
-struct CorePart {
-  std::string_view name;
-  Format format;
-  /// A unit's tags are numbers of rays. Those of `ray` are a tag and what the ray wants, in_tag and in_any,
-  /// which are one port of the module.
-  ModuleInterface interface;
-  const Machine* machine = nullptr;
-  std::optional<MachineGraph> graph{};
-  const Design* design = nullptr;
-  std::optional<Pipeline> pipeline{};
-};
-
 /// Places of parts, and of pins in their interfaces.
 struct CoreWire {
   std::size_t from, output;
@@ -97,11 +82,13 @@ struct Core {
   CoreOptions options;
   std::string module;
   int clock_ps;  ///< the slowest part's
-  std::vector<CorePart> parts;
+  /// Machines and units. A unit's tags are numbers of rays. Those of `ray` are a tag and what the ray wants,
+  /// in_tag and in_any, which are one port of the module.
+  std::vector<Part> parts;
   std::vector<CoreWire> wires;
   std::vector<CorePort> ports;
 
-  [[nodiscard]] const CorePart& part(std::string_view name) const;
+  [[nodiscard]] const Part& part(std::string_view name) const;
   /// The port of a field of hls/machines/channels.hpp. The core must have it.
   template <class Field>
   [[nodiscard]] const Pin& pin(Field) const {

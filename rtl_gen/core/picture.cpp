@@ -17,7 +17,7 @@ std::string side_of(const std::string& port) {
   return "registers";
 }
 
-std::string block(const CorePart& part) {
+std::string block(const Part& part) {
   if (part.pipeline)
     return fmt::format("label=\"{}\\n{}\\n{} stages, II {}\" shape=box fillcolor=\"#f6d5a8\"", part.name,
                        part.design->name, part.pipeline->latency(), part.pipeline->interval());
@@ -32,7 +32,7 @@ std::string block(const CorePart& part) {
 std::string to_dot(const Core& core) {
   std::map<std::pair<std::string, std::string>, int> bits;  // by the ends of an edge
   for (const CoreWire& wire : core.wires) {
-    const CorePart& from = core.parts[wire.from];
+    const Part& from = core.parts[wire.from];
     bits[{std::string(from.name), std::string(core.parts[wire.to].name)}] +=
         from.interface.pins[wire.output].width;
   }
@@ -52,7 +52,7 @@ std::string to_dot(const Core& core) {
       core.module, to_string(Format(core.options.bits)), core.options.rays);
   for (const char* const side : {"rays", "hits", "memory", "registers"})
     text += fmt::format("  {} [shape=ellipse]\n", side);
-  for (const CorePart& part : core.parts) text += fmt::format("  {} [{}]\n", part.name, block(part));
+  for (const Part& part : core.parts) text += fmt::format("  {} [{}]\n", part.name, block(part));
   for (const auto& [ends, count] : bits)
     text += fmt::format("  {} -> {} [label=\"{}\"]\n", ends.first, ends.second, count);
   return text + "}\n";

@@ -10,18 +10,16 @@
 
 #include "host/process.hpp"
 #include "rtl_gen/emit/axi_stream.hpp"
+#include "rtl_gen/emit/fusesoc.hpp"
 #include "rtl_gen/emit/hls_top.hpp"
 #include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/port_vectors.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/result_fifo.hpp"
-#include "rtl_gen/emit/synthesis_targets.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/prune/check_block.hpp"
 #include "rtl_gen/schematic/dot.hpp"
-#include "rtl_gen/verilog/module.hpp"
-#include "rtl_gen/verilog/names.hpp"
 
 namespace hitpipe::rtl {
 
@@ -30,8 +28,8 @@ namespace {
 constexpr std::size_t drawn_vectors = 1000;
 constexpr std::uint64_t vector_seed = 1;
 
-void check_together(const EmitOptions& options) {
-  if (options.fifo && options.flow_control == FlowControl::stall)
+void check_together(const Unit& unit, const EmitOptions& options) {
+  if (options.fifo && unit.flow_control() == FlowControl::stall)
     throw std::invalid_argument(
         "result FIFO: flow control stall; allowed is none, because a unit that stalls holds its results");
 }
@@ -47,117 +45,65 @@ std::optional<File> drawing_of(const File& dot) {
 }
 
 /// "int_slabs 20/24"; of a unit that the user named also that name: "box_test: int_slabs 20/24".
-std::string title_of(const Design& design, const Format& format, const std::string& module) {
-  const std::string title = design.name_at(format);
-  return module == design.module_at(format) ? title : fmt::format("{}: {}", module, title);
+std::string title_of(const Unit& unit) {
+  const std::string title = unit.design->name_at(unit.format);
+  return unit.module() == unit.design->module_at(unit.format) ? title
+                                                              : fmt::format("{}: {}", unit.module(), title);
 }
 
-std::vector<File> stage_schematics(const Pipeline& pipeline, const std::vector<Port>& ports,
-                                   const std::string& name, const std::string& title) {
+std::vector<File> stage_schematics(const Unit& unit, const std::string& title) {
   std::vector<File> files;
-  for (const StageRange& group : stage_groups(pipeline)) {
+  for (const StageRange& group : stage_groups(*unit.pipeline)) {
     const std::string stages = group.first == group.last
                                    ? fmt::format("stage_{}", group.first)
                                    : fmt::format("stages_{}-{}", group.first, group.last);
     std::string words = stages;
     std::replace(words.begin(), words.end(), '_', ' ');
-    files.push_back({fmt::format("{}_{}.dot", name, stages),
-                     to_dot(pipeline, ports,
-                            fmt::format("{}: {} of {}", title, words, pipeline.schedule.stages), group)});
+    files.push_back(
+        {fmt::format("{}_{}.dot", unit.module(), stages),
+         to_dot(*unit.pipeline, unit.ports(),
+                fmt::format("{}: {} of {}", title, words, unit.pipeline->schedule.stages), group)});
   }
   return files;
 }
 
-struct CoreParts {
-  bool axi_stream = false;  ///< a fileset axis
-  bool fifo = false;        ///< a fileset fifo
-  std::string slots{};      ///< module of the wrapper with ray slots: a fileset slots
-  bool check = false;  ///< for a fitted unit: fileset and target check (lint); simulations check operands
-};
-
-constexpr const char* check_target = R"(  check:
-    description: Lint the module that checks operands, with Verilator
-    flow: lint
-    flow_options: {{tool: verilator, verilator_options: [-Wall]}}
-    filesets: [check]
-    toplevel: {}_check
-)";
-
-/// The FuseSoC core file (CAPI 2, flow API). Its targets are default, lint (Verilator), sim (Icarus),
-/// sim_verilator, harness (C++ around the Verilated unit), and those of the library. Paths are relative to
-/// the core file.
-std::string core_file(const Design& design, Format format, const std::string& module, const Library& library,
-                      const CoreParts& parts) {
-  const bool slots = !parts.slots.empty();
-  // The outermost, for default, lint and synth.
-  const std::string top = parts.axi_stream ? stream_module(module)
-                          : slots          ? parts.slots
-                          : parts.fifo     ? fifo_module(module)
-                                           : module;
-  const std::string sources = fmt::format("rtl{}{}{}", slots ? ", slots" : "", parts.fifo ? ", fifo" : "",
-                                          parts.axi_stream ? ", axis" : "");
-  const std::string filesets = fmt::format("[{}]", sources);
-  const auto fileset = [](bool there, const std::string& name, const std::string& top_module) {
-    return there ? fmt::format("  {}:\n    files: [{}.v]\n    file_type: verilogSource\n", name, top_module)
-                 : "";
-  };
-  const std::string more = fileset(parts.fifo, "fifo", fifo_module(module)) +
-                           fileset(parts.axi_stream, "axis", stream_module(module)) +
-                           fileset(slots, "slots", parts.slots) +
-                           fileset(parts.check, "check", module + "_check");
-  // A simulator runs in the work root, where the testbench looks for its vectors: they are copied there.
-  return fmt::format(R"(CAPI=2:
-# Generated by hitpipe; do not edit.
-name: "hitpipe:ray_box:{0}:{9}"
-description: "{1} at {2}{7}"
-
-filesets:
-  rtl:
-    files: [{0}.v]
-    file_type: verilogSource
-{3}  tb:
-    files:
-      - tb/{5}_tb.sv: {{file_type: systemVerilogSource}}
-      - tb/{0}_vectors.hex: {{file_type: user, copyto: {0}_vectors.hex}}
-  harness:
-    files:
-      - tb/{0}_harness.cpp: {{file_type: cppSource}}
-      - tb/{0}_vectors.hex: {{file_type: user, copyto: {0}_vectors.hex}}
-
-targets:
-  default:
-    description: Verilog of the unit and its wrappers
-    filesets: {4}
-    toplevel: {5}
-  lint:
-    description: Lint with Verilator
-    flow: lint
-    flow_options: {{tool: verilator, verilator_options: [-Wall]}}
-    filesets: {4}
-    toplevel: {5}
-  sim:
-    description: Simulate the testbench with Icarus Verilog
-    flow: sim
-    flow_options: {{tool: icarus, iverilog_options: [-g2012, -Wall{6}]}}
-    filesets: [{10}, tb]
-    toplevel: {5}_tb
-  sim_verilator:
-    description: Simulate the testbench with Verilator
-    flow: sim
-    flow_options: {{tool: verilator, mode: binary, verilator_options: [-Wall{6}]}}
-    filesets: [{10}, tb]
-    toplevel: {5}_tb
-  harness:
-    description: Simulate the Verilated unit with a program in C++
-    flow: sim
-    flow_options: {{tool: verilator, mode: cc, verilator_options: [-Wall{6}]}}
-    filesets: [rtl, harness]
-    toplevel: {0}
-{11}{8})",
-                     module, design.summary, to_string(format), more, filesets, top,
-                     parts.check ? ", -DHITPIPE_CHECK" : "", parts.check ? ", fitted" : "",
-                     parts.check ? fmt::format(check_target, module) : "", HITPIPE_VERSION, sources,
-                     synthesis_targets(library, filesets, top));
+/// Its simulations check the operands of a fitted unit.
+std::string core_file(const Unit& unit, const Wrappers& around) {
+  const std::string& module = unit.module();
+  const bool fitted = !unit.demands.empty();
+  const std::string defines = fitted ? ", -DHITPIPE_CHECK" : "";
+  FuseSoc core{.name = "ray_box:" + module,
+               .description = fmt::format("{} at {}{}", unit.design->summary, to_string(unit.format),
+                                          fitted ? ", fitted" : "")};
+  core.add_verilog("rtl", module);
+  if (around.fifo) core.add_verilog("fifo", fifo_module(module));
+  if (around.axi_stream) core.add_verilog("axis", stream_module(module));
+  const std::string slots = around.slots != nullptr ? around.slots->module() : "";
+  if (!slots.empty()) core.add_verilog("slots", slots);
+  if (fitted) core.add_verilog("check", module + "_check");
+  std::vector<std::string> sources{"rtl"};
+  if (!slots.empty()) sources.emplace_back("slots");
+  if (around.fifo) sources.emplace_back("fifo");
+  if (around.axi_stream) sources.emplace_back("axis");
+  const std::string top = around.axi_stream ? stream_module(module)
+                          : !slots.empty()  ? slots
+                          : around.fifo     ? fifo_module(module)
+                                            : module;  // the outermost
+  core.add_test("tb", top + "_tb.sv", "systemVerilogSource", module + "_vectors.hex");
+  core.add_test("harness", module + "_harness.cpp", "cppSource", module + "_vectors.hex");
+  core.targets.push_back({"default", "Verilog of the unit and its wrappers", sources, top});
+  core.add_lint(sources, top);
+  core.add_simulations(sources, top + "_tb", defines);
+  core.add_harness({"rtl", "harness"}, module, defines);
+  if (fitted)
+    core.targets.push_back({"check",
+                            "Lint the module that checks operands, with Verilator",
+                            {"check"},
+                            module + "_check",
+                            "lint",
+                            "{tool: verilator, verilator_options: [-Wall]}"});
+  core.add_synthesis(unit.library, sources, top);
+  return core.text();
 }
 
 }  // namespace
@@ -179,63 +125,41 @@ std::vector<File> EmittedDesign::files(const std::vector<File>& drawings) const 
   return with_licence(std::move(all));
 }
 
-File EmittedDesign::manifest_file() const {
-  return files()[1];
-}
-
-EmittedDesign emit(const Design& design, Format format, const Library& library, const Pipeline& pipeline,
-                   const EmitOptions& options) {
-  check_together(options);
-  const FlowControl flow = options.flow_control;
-  const PrunedFrom* const from = options.pruned_from;
-  const std::vector<Port> left = input_ports(pipeline.graph);
-  const std::vector<hls::Result> results = design.results(format);
-  const std::string name = options.module.empty() ? design.module_at(format) : options.module;
-  check_module_name(name);
-  const std::string title = title_of(design, format, name);
-  const std::vector<Port> ports = from == nullptr ? left : from->ports;
+EmittedDesign emit(const Unit& unit, const EmitOptions& options) {
+  check_together(unit, options);
+  const ModuleInterface& interface = unit.interface;
+  const std::string& name = unit.module();
+  const bool fitted = !unit.demands.empty();
+  const std::vector<Port> left = input_ports(unit.pipeline->graph);
+  const std::vector<Port> ports = fitted ? unit.ports() : left;
+  const std::vector<hls::Result> results = unit.design->results(unit.format);
+  const std::string title = title_of(unit);
   VectorSet drawn;
   if (options.vectors == nullptr) {
-    const Evaluate evaluate = design.evaluate(format);
-    const Demands demands = from == nullptr ? Demands{} : from->demands;
-    PortVectors at_ports({pipeline.graph, ports, demands, evaluate, results}, vector_seed);
+    const Evaluate evaluate = unit.design->evaluate(unit.format);
+    PortVectors at_ports({unit.pipeline->graph, ports, unit.demands, evaluate, results}, vector_seed);
     drawn = {vector_seed, at_ports.groups(drawn_vectors)};
   }
   const VectorSet& vectors = options.vectors == nullptr ? drawn : *options.vectors;
-  std::string verilog = options.verilog != nullptr ? *options.verilog
-                                                   : to_verilog(pipeline, library,
-                                                                {.module_name = name,
-                                                                 .bits = to_string(format),
-                                                                 .flow_control = flow,
-                                                                 .operands = design.ports(format),
-                                                                 .results = results});
-  const ModuleInterface unit = unit_interface(name, left, result_ports(results), flow, pipeline.interval());
-  const int latency = pipeline.latency();
-  const bool fifo = options.fifo || (options.axi_stream && flow == FlowControl::none);
+  const int latency = unit.pipeline->latency();
+  const bool fifo = options.fifo || (options.axi_stream && unit.flow_control() == FlowControl::none);
   std::optional<RaySlots> slots;
-  if (options.ray_slots) slots = ray_slots(unit, design.ports(format), *options.ray_slots, fifo);
+  if (options.ray_slots) slots = ray_slots(interface, unit.ports(), *options.ray_slots, fifo);
   const RaySlots* const before = slots ? &*slots : nullptr;
-  Json json = manifest(design, format, unit, pipeline, library);
-  if (options.axi_stream) json["axi_stream"] = stream_json(unit, before);
-  if (from != nullptr) {
-    if (options.verilog == nullptr)
-      verilog = with_check_block(verilog, check_block(unit, from->demands, from->ports));
-    add_demands(json, from->demands, from->report);
-  }
-  const int count = static_cast<int>(vectors.size());
+  Json json = manifest(unit, unit.library);
+  if (options.axi_stream) json["axi_stream"] = stream_json(interface, before);
+  if (fitted) add_demands(json, unit.demands, unit.report);
   if (slots) json["ray_slots"] = ray_slots_json(*slots, latency);
-  if (fifo) json["result_fifo"] = fifo_json(unit, latency);
-  const CoreParts parts{.axi_stream = options.axi_stream,
-                        .fifo = fifo,
-                        .slots = slots ? slots->module() : "",
-                        .check = from != nullptr};
+  if (fifo) json["result_fifo"] = fifo_json(interface, latency);
+  const int count = static_cast<int>(vectors.size());
   EmittedDesign emitted{
       .module = name,
-      .verilog = {name + ".v", std::move(verilog)},
-      .core = {name + ".core", core_file(design, format, name, library, parts)},
-      .testbench = {"tb/" + name + "_tb.sv", testbench(unit, count, latency)},
+      .verilog = {name + ".v", unit.verilog},
+      .core = {name + ".core",
+               core_file(unit, {.fifo = fifo, .slots = before, .axi_stream = options.axi_stream})},
+      .testbench = {"tb/" + name + "_tb.sv", testbench(interface, count, latency)},
       .more_testbenches = {},
-      .harness = {"tb/" + name + "_harness.cpp", harness(unit, count, latency)},
+      .harness = {"tb/" + name + "_harness.cpp", harness(interface, count, latency)},
       .makefile = {"tb/Makefile", testbench_makefile()},
       .vectors = {"tb/" + name + "_vectors.hex",
                   vector_summary(title, vectors, results) + vector_file(ports, left, results, vectors.all())},
@@ -243,24 +167,23 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
       .fifo = {},
       .axi_stream = {},
       .ray_slots = {},
-      .schematics =
-          stage_schematics(pipeline, design.ports(format), name, title + (from == nullptr ? "" : ", fitted")),
+      .schematics = stage_schematics(unit, title + (fitted ? ", fitted" : "")),
       .hls = {},
       .manifest = std::make_shared<const Json>(std::move(json))};
-  if (from != nullptr)
-    emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
+  if (fitted) emitted.check_module = {name + "_check.v", check_module(name + "_check", unit.demands, ports)};
   const auto add_testbench = [&](const std::string& top, const Wrappers& around) {
-    emitted.more_testbenches.push_back({"tb/" + top + "_tb.sv", testbench(unit, count, latency, around)});
+    emitted.more_testbenches.push_back(
+        {"tb/" + top + "_tb.sv", testbench(interface, count, latency, around)});
   };
   if (fifo) add_testbench(fifo_module(name), {.fifo = true});
   if (slots) add_testbench(slots->module(), {.fifo = fifo, .slots = before});
   if (options.axi_stream)
     add_testbench(stream_module(name), {.fifo = fifo, .slots = before, .axi_stream = true});
-  if (fifo) emitted.fifo = {fifo_module(name) + ".v", result_fifo(unit, latency)};
-  if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(unit, before)};
+  if (fifo) emitted.fifo = {fifo_module(name) + ".v", result_fifo(interface, latency)};
+  if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(interface, before)};
   if (slots) emitted.ray_slots = {slots->module() + ".v", to_verilog(*slots)};
   if (options.hls) {
-    emitted.hls = hls_top(design, format, name, pipeline.interval()).files();
+    emitted.hls = hls_top(*unit.design, unit.format, name, unit.interval()).files();
     for (File& file : emitted.hls) file.name.insert(0, "hls/");
   }
   return emitted;

@@ -7,41 +7,23 @@
 #include <vector>
 
 #include "host/files.hpp"
-#include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/vectors.hpp"
-#include "rtl_gen/pipeline.hpp"
-#include "rtl_gen/prune/report.hpp"
+#include "rtl_gen/part/unit.hpp"
 
 namespace hitpipe::rtl {
 
 using host::File;
 
-/// What emit() must know of a unit that prune() made smaller.
-struct PrunedFrom {
-  const std::vector<Port>& ports;  ///< of the whole design
-  const Demands& demands;          ///< not empty
-  const PruneReport& report;
-};
-
 struct EmitOptions {
-  std::string module{};  ///< empty: design.module_at(format)
-  /// Of the unit. A wrapper of a unit without flow control contains the result FIFO.
-  FlowControl flow_control = FlowControl::stall;
   bool axi_stream = false;  ///< adds the AXI4-Stream wrapper; core and manifest name it
   bool fifo = false;        ///< adds the result FIFO, only with FlowControl::none; core and manifest name it
   /// Adds the wrapper with as many ray slots, rounded up to a power of two; core and manifest name it. A FIFO
   /// is inside it, and an AXI4-Stream wrapper is around it.
   std::optional<int> ray_slots{};
   bool hls = false;  ///< adds the top function for high-level synthesis
-  /// Set for a fitted unit. It adds the check module, a check block in the Verilog and the demands in the
-  /// manifest, and the vectors meet the demands.
-  const PrunedFrom* pruned_from = nullptr;
   /// Vectors for the testbench, of all ports of the whole design. Null: 1000 that are drawn at the ports.
   const VectorSet* vectors = nullptr;
-  /// The unit's Verilog, with the check block of a fitted unit. Null: it is made.
-  const std::string* verilog = nullptr;
 };
 
 /// The files of a design, each by what it is.
@@ -64,15 +46,13 @@ struct EmittedDesign {
 
   /// All of them and these drawings. <module>.json is the second; it lists all.
   [[nodiscard]] std::vector<File> files(const std::vector<File>& drawings = {}) const;
-  /// <module>.json without drawings.
-  [[nodiscard]] File manifest_file() const;
 };
 
-/// The same bytes for the same design, format and library. `pipeline` is the design's at that format, or what
-/// pruning left of it. Throws as hls_top(), ray_slots(), result_fifo() and check_module_name() do, and
-/// std::invalid_argument, one line, for options that do not go together.
-[[nodiscard]] EmittedDesign emit(const Design& design, Format format, const Library& library,
-                                 const Pipeline& pipeline, const EmitOptions& options = {});
+/// The same bytes for the same unit. Of a fitted unit it adds the check module and the demands in the
+/// manifest, and the vectors meet the demands. A wrapper of a unit without flow control contains the result
+/// FIFO. Throws as hls_top(), ray_slots() and result_fifo() do, and std::invalid_argument, one line, for
+/// options that do not go together.
+[[nodiscard]] EmittedDesign emit(const Unit& unit, const EmitOptions& options = {});
 
 /// An .svg for each .dot, drawn by Graphviz's dot; nothing when dot is not installed. Throws
 /// std::runtime_error when dot fails.

@@ -10,6 +10,7 @@
 
 #include "host/text.hpp"
 #include "rtl_gen/emit/licence.hpp"
+#include "rtl_gen/machine/module.hpp"
 #include "rtl_gen/verilog/names.hpp"
 
 namespace hitpipe::rtl {
@@ -72,6 +73,15 @@ Json shared_components(const Pipeline& pipeline) {
   return list;
 }
 
+Json fields_json(const std::vector<hls::Field>& fields) {
+  Json list = Json::array();
+  for (const hls::Field& field : fields) {
+    list.push_back({{"name", field.name}, {"width", field.width}, {"signed", field.is_signed}});
+    if (field.has_reset) list.back()["reset"] = field.reset;
+  }
+  return list;
+}
+
 /// Results come in the order of the tests.
 std::string handshake(const ModuleInterface& unit) {
   if (unit.flow_control() == FlowControl::stall)
@@ -95,29 +105,50 @@ Json ports_json(const ModuleInterface& interface) {
   return list;
 }
 
-Json manifest(const Design& design, Format format, const ModuleInterface& unit, const Pipeline& pipeline,
-              const Library& library) {
-  Json json{{"design", std::string(design.name)},
-            {"kind", design.kind.name},
-            {"bits", to_string(format)},
-            {"module", unit.module},
-            {"license", output_licence},
-            {"verilog", {unit.module + ".v"}},
-            {"clock", "clk, rising edge"},
-            {"reset", "rst, synchronous, active high, valid bits only"},
-            {"flow_control", flow_control_name(unit.flow_control())},
-            {"handshake", handshake(unit)},
-            {"parameters", {{"TAG_BITS", 16}}},
-            {"ports", ports_json(unit)},
-            {"results", results_json(design.results(format))},
-            {"stages", pipeline.schedule.stages},
-            {"latency", pipeline.latency()},
-            {"clock_ps", pipeline.schedule.clock_ps},
-            {"library", library.name()},
-            {"by_stage", stages(pipeline)}};
-  if (pipeline.interval() > 1) {
-    json["ii"] = pipeline.interval();
-    json["shared"] = shared_components(pipeline);
+Json module_json(const Format& format, const ModuleInterface& interface) {
+  return {{"bits", to_string(format)},   {"module", interface.module},
+          {"license", output_licence},   {"verilog", {interface.module + ".v"}},
+          {"clock", "clk, rising edge"}, {"reset", "rst, synchronous, active high"}};
+}
+
+Json memories_json(const MachineGraph& machine) {
+  Json list = Json::array();
+  for (const hls::MemoryShape& memory : machine.memories)
+    list.push_back({{"name", memory.name},
+                    {"words", memory.words},
+                    {"width", memory.width},
+                    {"kind", memory.kind_name()}});
+  return list;
+}
+
+Json manifest(const Part& part, const Library& library) {
+  Json json{{part.design != nullptr ? "design" : "machine", part.name}};
+  if (part.design != nullptr) json["kind"] = part.design->kind.name;
+  json.update(module_json(part.format, part.interface));
+  if (part.design != nullptr) {
+    json["reset"] = "rst, synchronous, active high, valid bits only";
+    json["flow_control"] = flow_control_name(part.interface.flow_control());
+    json["handshake"] = handshake(part.interface);
+    json["parameters"] = {{"TAG_BITS", 16}};
+  }
+  json["ports"] = ports_json(part.interface);
+  if (part.design != nullptr) {
+    json["results"] = results_json(part.design->results(part.format));
+    json["stages"] = part.pipeline->schedule.stages;
+    json["latency"] = part.pipeline->latency();
+  }
+  json["clock_ps"] = part.clock_ps(library);
+  json["library"] = library.name();
+  if (part.design != nullptr) {
+    json["by_stage"] = stages(*part.pipeline);
+    if (part.pipeline->interval() > 1) {
+      json["ii"] = part.pipeline->interval();
+      json["shared"] = shared_components(*part.pipeline);
+    }
+  } else {
+    json["longest_path"] = longest_path(*part.graph, library).names;
+    json["registers"] = fields_json(part.graph->state);
+    json["memories"] = memories_json(*part.graph);
   }
   return json;
 }

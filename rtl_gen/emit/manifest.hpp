@@ -1,4 +1,4 @@
-// The manifest of an emitted design: what a flow needs to know, in JSON. It is computed from the graph that
+// The manifest of an emitted part: what a flow needs to know, in JSON. It is computed from the graph that
 // was emitted, and stays one JSON value until its file is written.
 #pragma once
 
@@ -7,8 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/part/part.hpp"
 #include "rtl_gen/prune/report.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 
@@ -16,13 +15,17 @@ namespace hitpipe::rtl {
 
 using Json = nlohmann::ordered_json;
 
-/// Keys: design, kind, bits, module, verilog, clock, reset, flow_control, handshake, ports (name, direction,
-/// width, signed), results (name, meaning, box, width), stages, latency, clock_ps, library, by_stage (for
-/// each stage, its components with their counts and the latch bits at its end). A unit that takes a test
-/// every N cycles, N > 1, also has `ii`, which is N, and `shared` (its shared components, which are in no
-/// stage). Wrappers add an object each, and emit() adds `files`.
-[[nodiscard]] Json manifest(const Design& design, Format format, const ModuleInterface& unit,
-                            const Pipeline& pipeline, const Library& library);
+/// Keys of all: design or machine, bits, module, license, verilog, clock, reset, ports (name, direction, width,
+/// signed), clock_ps, library. A unit also has kind, flow_control, handshake, parameters, results (name, meaning,
+/// box, width), stages, latency and by_stage (for each stage, its components with their counts and the latch
+/// bits at its end); one that takes a test every N cycles, N > 1, has `ii`, which is N, and `shared` (its shared
+/// components, which are in no stage). A machine has longest_path, registers (name, width, signed, reset) and
+/// memories (name, words, width, kind). Wrappers add an object each, and emit() adds `files`.
+[[nodiscard]] Json manifest(const Part& part, const Library& library);
+
+/// Of any module: bits, module, license, verilog, clock, reset.
+[[nodiscard]] Json module_json(const Format& format, const ModuleInterface& interface);
+[[nodiscard]] Json memories_json(const MachineGraph& machine);
 
 /// The pins of a module, in the order of its Verilog: name, direction, width, signed.
 [[nodiscard]] Json ports_json(const ModuleInterface& interface);

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "rtl_gen/emit/fusesoc.hpp"
 #include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/machine/cycle_test.hpp"
-#include "rtl_gen/machine/module.hpp"
 #include "rtl_gen/machine/picture.hpp"
+#include "rtl_gen/part/part.hpp"
 
 namespace hitpipe::rtl {
 
@@ -41,35 +42,17 @@ CycleTest cycle_test(const MachineGraph& graph, NativeMachine& native, const std
   return test;
 }
 
-Json fields_json(const std::vector<hls::Field>& fields) {
-  Json list = Json::array();
-  for (const hls::Field& field : fields) {
-    list.push_back({{"name", field.name}, {"width", field.width}, {"signed", field.is_signed}});
-    if (field.has_reset) list.back()["reset"] = field.reset;
-  }
-  return list;
-}
-
-Json machine_manifest(const MachineGraph& graph, const Machine& machine, const Format& format,
-                      const Library& library, const std::string& module) {
-  Json memories = Json::array();
-  for (const hls::MemoryShape& memory : graph.memories)
-    memories.push_back({{"name", memory.name},
-                        {"words", memory.words},
-                        {"width", memory.width},
-                        {"kind", memory.kind_name()}});
-  const MachinePath path = longest_path(graph, library);
-  return {{"machine", machine.name},
-          {"bits", to_string(format)},
-          {"module", module},
-          {"license", output_licence},
-          {"library", library.name()},
-          {"clock_ps", path.clock_ps},
-          {"longest_path", path.names},
-          {"inputs", fields_json(graph.inputs)},
-          {"outputs", fields_json(graph.outputs)},
-          {"registers", fields_json(graph.state)},
-          {"memories", memories}};
+std::string core_file(const Part& part, const Library& library) {
+  const std::string& module = part.interface.module;
+  FuseSoc core{.name = "machine:" + module,
+               .description = fmt::format("{} at {}", part.machine->summary, to_string(part.format))};
+  core.add_verilog("rtl", module);
+  core.add_test("tb", module + "_tb.sv", "systemVerilogSource", module + "_vectors.hex");
+  core.targets.push_back({"default", "Verilog of the machine", {"rtl"}, module});
+  core.add_lint({"rtl"}, module);
+  core.add_simulations({"rtl"}, module + "_tb");
+  core.add_synthesis(library, {"rtl"}, module);
+  return core.text();
 }
 
 }  // namespace
@@ -95,13 +78,14 @@ const MachineCycle& RandomCycles::next() {
 
 std::vector<host::File> machine_files(const Machine& machine, const Format& format, const Library& library,
                                       const MachineFilesOptions& options) {
-  const MachineGraph graph = machine.graph(format);
   const std::string module = options.module.empty() ? machine.module_at(format) : options.module;
-  const CycleTest test = cycle_test(graph, *machine.native(format), module, options);
+  const Part part = machine_part(machine, format, module);
+  const CycleTest test = cycle_test(*part.graph, *machine.native(format), module, options);
   return with_licence(std::vector<host::File>{
-      {module + ".v", to_verilog(graph, {.module = module, .bits = to_string(format)})},
-      {module + ".json", machine_manifest(graph, machine, format, library, module).dump(2) + "\n"},
-      {module + ".dot", to_dot(graph, fmt::format("{} {}", machine.name, to_string(format)))},
+      {module + ".v", to_verilog(part, library)},
+      {module + ".json", manifest(part, library).dump(2) + "\n"},
+      {module + ".core", core_file(part, library)},
+      {module + ".dot", to_dot(*part.graph, fmt::format("{} {}", machine.name, to_string(format)))},
       {"tb/" + module + "_tb.sv", testbench_text(test)},
       {"tb/" + module + "_vectors.hex", vectors_text(test)},
       {"tb/Makefile", testbench_makefile()}});

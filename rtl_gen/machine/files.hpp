@@ -1,4 +1,4 @@
-// A machine as files: Verilog, manifest, and a testbench that compares outputs and registers in every cycle.
+// A machine as files: Verilog, manifest, FuseSoC core, and a testbench that compares outputs and registers in every cycle.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct MachineFilesOptions {
   std::uint64_t seed = 1;
 };
 
-/// MODULE.v, MODULE.json, MODULE.dot, tb/MODULE_tb.sv, tb/MODULE_vectors.hex, tb/Makefile. The same bytes for
+/// MODULE.v, MODULE.json, MODULE.core, MODULE.dot, tb/MODULE_tb.sv, tb/MODULE_vectors.hex, tb/Makefile. The same bytes for
 /// the same arguments. Throws as Machine::graph() and longest_path() do.
 [[nodiscard]] std::vector<host::File> machine_files(const Machine& machine, const Format& format,
                                                     const Library& library,

@@ -11,6 +11,7 @@
 #include "sim/feeds/feed.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/trace/slabs.hpp"
+#include "sw_ref/trace/traversal.hpp"
 
 namespace hitpipe::sim {
 

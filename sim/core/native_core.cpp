@@ -13,7 +13,7 @@ using rtl::Pin;
 /// An output has its number here; an input says where the number is that it is joined to.
 class Part {
  public:
-  explicit Part(const rtl::CorePart& part)
+  explicit Part(const rtl::Part& part)
       : outputs_(part.interface.pins.size()), inputs_(part.interface.pins.size()) {}
   virtual ~Part() = default;
   Part(const Part&) = delete;
@@ -36,7 +36,7 @@ namespace {
 /// Its pins are clk, rst, the inputs and the outputs.
 class MachineInCore final : public Part {
  public:
-  MachineInCore(const rtl::CorePart& part, rtl::Collision collision)
+  MachineInCore(const rtl::Part& part, rtl::Collision collision)
       : Part(part),
         machine_(part.machine->native(part.format, collision)),
         give_to_(outputs_.data() + 2 + part.graph->inputs.size()),
@@ -52,7 +52,7 @@ class MachineInCore final : public Part {
 
 class UnitInCore final : public Part {
  public:
-  explicit UnitInCore(const rtl::CorePart& part)
+  explicit UnitInCore(const rtl::Part& part)
       : Part(part),
         evaluate_(part.design->evaluate(part.format)),
         stages_(static_cast<std::size_t>(part.pipeline->latency()) + 1),
@@ -142,7 +142,7 @@ class UnitInCore final : public Part {
 }  // namespace core_parts
 
 NativeCore::NativeCore(const rtl::Core& core, rtl::Collision collision) {
-  for (const rtl::CorePart& part : core.parts) {
+  for (const rtl::Part& part : core.parts) {
     if (part.machine != nullptr)
       parts_.push_back(std::make_unique<core_parts::MachineInCore>(part, collision));
     else

@@ -10,9 +10,11 @@
 #include "sim/cosim/ray_source.hpp"
 #include "sim/cosim/ray_unit.hpp"
 #include "sim/feeds/step_feed.hpp"
+#include "sim/unit/unit_set_up.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/quantise/guard.hpp"
 #include "sw_ref/trace/slabs.hpp"
+#include "sw_ref/trace/traversal.hpp"
 
 namespace hitpipe::sim {
 
@@ -203,9 +205,9 @@ CosimResult cosimulate(const VerilatedDesign& verilated, const ref::Scene& scene
   if (options.rays.empty() && (options.width < 1 || options.height < 1))
     throw std::invalid_argument(
         fmt::format("image of {} x {} pixels: allowed is 1 x 1 and more", options.width, options.height));
-  const Unit& unit = verilated.unit();
-  std::unique_ptr<SceneFeed> feed = make_feed(*unit.design, unit.format, bvh, unit.coarse);
-  if (!unit.ends) feed = with_step(std::move(feed), endless_step(unit.ports()));
+  const rtl::Unit& unit = verilated.unit();
+  std::unique_ptr<SceneFeed> feed = make_feed(*unit.design, unit.format, bvh, coarse_axes(unit));
+  if (!takes_ends(unit)) feed = with_step(std::move(feed), endless_step(unit.ports()));
   if (!unit.demands.empty()) feed = with_step(std::move(feed), DemandGuard(unit.demands, unit.ports()));
   const Frame frame{verilated, scene, bvh, options, *feed};
   CosimResult result;
@@ -224,7 +226,7 @@ CosimResult cosimulate(const VerilatedDesign& verilated, const ref::Scene& scene
     result.loop_seconds += part.loop_seconds;
   }
   result.latency = verilated.latency();
-  result.interval = unit.pipeline.interval();
+  result.interval = unit.pipeline->interval();
   return result;
 }
 

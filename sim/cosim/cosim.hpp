@@ -13,7 +13,7 @@
 #include "sim/cosim/counts.hpp"
 #include "sim/operands/ray_list.hpp"
 #include "sw_ref/render/whitted.hpp"
-#include "sw_ref/trace/traversal.hpp"
+#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 struct SceneDemands;
@@ -26,7 +26,7 @@ class VerilatedDesign;
 struct CosimOptions {
   int width = 256;
   int height = 256;
-  int rays_in_flight = 32;  ///< 1..RayUnit::most_rays_in_flight
+  int rays_in_flight = 32;  ///< 1..Station::most_rays
   int threads = 1;
   bool referee = false;
   bool bit_level = false;       ///< the bit-level C++ datapath judges every test of a float design

@@ -29,6 +29,9 @@ struct UnitCounts {
   friend bool operator==(const UnitCounts&, const UnitCounts&) = default;
 };
 
+/// Throws std::invalid_argument, one line, when rays in flight have not enough slots.
+void check_slots(int rays_in_flight, int slots);
+
 /// How much more than the reference, in percent. 0 when that is 0.
 [[nodiscard]] inline double percent_above(std::uint64_t value, std::uint64_t reference) {
   return reference == 0 ? 0.0 : 100.0 * (static_cast<double>(value) / static_cast<double>(reference) - 1.0);

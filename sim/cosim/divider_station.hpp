@@ -9,7 +9,6 @@
 
 #include "hls/world/core_format.hpp"
 #include "sim/cosim/counts.hpp"
-#include "sim/cosim/world_tracer.hpp"
 #include "sim/machine/verilated_machine.hpp"
 
 namespace hitpipe::sim {
@@ -47,8 +46,8 @@ class DividerStation {
     waiting_.push_back({ray, halves});
   }
   [[nodiscard]] bool idle() const { return waiting_.empty() && free_.size() == owners_.size(); }
-  [[nodiscard]] WorldUnitCounts& counts() { return counts_; }
-  [[nodiscard]] const WorldUnitCounts& counts() const { return counts_; }
+  [[nodiscard]] UnitCounts& counts() { return counts_; }
+  [[nodiscard]] const UnitCounts& counts() const { return counts_; }
 
   /// One cycle. best(ray) gives a BestHit; answered(ray, t, closer) takes an answer.
   template <class Best, class Answered>
@@ -102,7 +101,7 @@ class DividerStation {
   std::vector<std::uint32_t> owners_;  ///< rays, by their number in the divider
   std::deque<std::uint32_t> free_;
   std::deque<Waiting> waiting_;
-  WorldUnitCounts counts_;
+  UnitCounts counts_;
   std::size_t asked_ = 0;
   int silent_ = 0;
 };

@@ -10,8 +10,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/feeds/feed.hpp"
-#include "sw_ref/trace/pair_traversal.hpp"
-#include "sw_ref/trace/traversal.hpp"
+#include "sw_ref/trace/walk.hpp"
 
 namespace hitpipe::sim {
 
@@ -27,7 +26,7 @@ struct WalkScene {
 
 class OneBoxWalk {
  public:
-  using Traversal = ref::Traversal;
+  using Traversal = ref::BoxWalk<ref::FloatWorld>;
 
   OneBoxWalk(const WalkScene& scene, std::span<const hls::Result> results)
       : scene_(scene), hit_(rtl::place_of_hit(results)) {}
@@ -35,7 +34,7 @@ class OneBoxWalk {
   [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray, ref::Query query,
                                 ref::Loads loads = {}) const {
     rays.start(slot, ray);
-    return {*scene_.bvh, *scene_.mesh, ray, query, loads};
+    return {*scene_.bvh, ref::FloatWorld(*scene_.mesh, *scene_.bvh, ray, loads), query};
   }
   static void ask(RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
     rays.operands(slot, {traversal.node(), traversal.length()}, operands);
@@ -79,7 +78,7 @@ class PairResults {
 
 class PairWalk {
  public:
-  using Traversal = ref::PairTraversal<ref::BvhPairs>;
+  using Traversal = ref::RecordWalk<ref::FloatWorld, ref::BvhPairs>;
 
   PairWalk(const WalkScene& scene, std::span<const hls::Result> results)
       : scene_(scene), records_(*scene.bvh), results_(results) {}
@@ -87,11 +86,8 @@ class PairWalk {
   [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray, ref::Query query,
                                 ref::Loads loads = {}) const {
     rays.start(slot, ray);
-    return {{&records_, ref::Leaves(*scene_.mesh, *scene_.bvh)},
-            ray,
-            query,
-            rays.in_results(slot, ray.length),
-            loads};
+    return {records_, ref::FloatWorld(*scene_.mesh, *scene_.bvh, ray, loads), query,
+            rays.in_results(slot, ray.length)};
   }
   static void ask(RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
     rays.operands(slot, {traversal.record(), traversal.length(), traversal.parent()}, operands);

@@ -13,9 +13,8 @@
 #include "sim/cosim/walk.hpp"
 #include "sim/designs/major_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
-#include "sw_ref/world/int_pair_traversal.hpp"
 #include "sw_ref/world/int_scene.hpp"
-#include "sw_ref/world/int_traversal.hpp"
+#include "sw_ref/world/int_world.hpp"
 
 namespace hitpipe::sim {
 
@@ -26,13 +25,15 @@ struct WorldBoxes {
       : scene(&its_scene), bits(its_bits) {
     if (!its_scene.bvh) return;
     boxes = ref::int_boxes(its_scene.mesh, *its_scene.bvh);
+    records.emplace(*its_scene.bvh);
     pairs = ref::int_pairs(boxes, *its_scene.bvh);
   }
 
   const ref::IntScene* scene = nullptr;
   hls::MajorBits bits{};
-  std::vector<ref::IntBox> boxes;     ///< by node
-  std::vector<ref::PairBoxes> pairs;  ///< by record of ref::BvhPairs
+  std::vector<ref::IntBox> boxes;  ///< by node
+  std::optional<ref::BvhPairs> records;
+  std::vector<ref::PairBoxes> pairs;  ///< by record
 };
 
 /// One ray after the other.
@@ -42,10 +43,12 @@ class OneBoxOfWorld {
       : world_(&world), ports_(world.bits), hit_(rtl::place_of_hit(results)) {}
 
   void start(const ref::IntRay& ray, ref::Query query) {
-    walk_.emplace(*world_->scene->bvh, ray, query);
+    const ref::Bvh& bvh = *world_->scene->bvh;
+    walk_.emplace(bvh, ref::IntWorld(bvh, ray), query);
     put_major_ray(ref::major_ray(ray, world_->bits), in_);
   }
-  [[nodiscard]] ref::IntTraversal& walk() { return *walk_; }
+  [[nodiscard]] const ref::IntBoxWalk& walk() const { return *walk_; }
+  void answer_triangle(bool met, std::int64_t t) { walk_->answer_triangle(met, t); }
   /// The operands of the test that the walk waits for.
   void write(std::int64_t* out) {
     in_.len = ref::in_box_units(walk_->length(), world_->scene->bits, world_->bits);
@@ -55,7 +58,7 @@ class OneBoxOfWorld {
   /// Returns how many boxes are hit.
   unsigned answer(const std::int64_t* results) {
     const bool met = results[hit_] != 0;
-    walk_->answer_box(met);
+    walk_->answer(met);
     return met ? 1 : 0;
   }
 
@@ -66,7 +69,7 @@ class OneBoxOfWorld {
   PortOrder<Operands, hls::MajorBits> ports_;
   std::size_t hit_;
   Operands in_{};
-  std::optional<ref::IntTraversal> walk_;
+  std::optional<ref::IntBoxWalk> walk_;
 };
 
 class TwoBoxesOfWorld {
@@ -75,10 +78,13 @@ class TwoBoxesOfWorld {
       : world_(&world), ports_(world.bits), results_(results) {}
 
   void start(const ref::IntRay& ray, ref::Query query) {
-    walk_.emplace(*world_->scene->bvh, ray, query, world_->scene->bits, world_->bits);
+    walk_.emplace(*world_->records, ref::IntWorld(*world_->scene->bvh, ray), query, in_results(ray.length));
     put_major_ray(ref::major_ray(ray, world_->bits), in_);
   }
-  [[nodiscard]] ref::IntPairTraversal& walk() { return *walk_; }
+  [[nodiscard]] const ref::IntRecordWalk& walk() const { return *walk_; }
+  void answer_triangle(bool met, std::int64_t t) {
+    walk_->answer_triangle(met, t, [&](std::int64_t length) { return in_results(length); });
+  }
   void write(std::int64_t* out) {
     put_pair(walk_->parent(), world_->pairs[walk_->record()], in_);
     ports_.write(in_, out);
@@ -86,18 +92,22 @@ class TwoBoxesOfWorld {
   unsigned answer(const std::int64_t* results) {
     const ref::PairAnswer answer = results_.answer(results);
     const unsigned boxes = walk_->boxes();
-    walk_->answer_boxes(answer);
+    walk_->answer(answer, [&](std::int64_t length) { return in_results(length); });
     return (answer.hit[0] ? 1U : 0U) + (answer.hit[1] && boxes == 2 ? 1U : 0U);
   }
 
  private:
   using Operands = hls::IntMajorPairOperands<Words, hls::MajorBits>;
 
+  [[nodiscard]] std::int64_t in_results(std::int64_t length) const {
+    return ref::in_box_units(length, world_->scene->bits, world_->bits);
+  }
+
   const WorldBoxes* world_;
   PortOrder<Operands, hls::MajorBits> ports_;
   PairResults results_;
   Operands in_{};
-  std::optional<ref::IntPairTraversal> walk_;
+  std::optional<ref::IntRecordWalk> walk_;
 };
 
 }  // namespace hitpipe::sim

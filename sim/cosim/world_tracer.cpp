@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -15,6 +15,8 @@
 
 #include "sim/cosim/counts.hpp"
 #include "sim/cosim/divider_station.hpp"
+#include "sim/cosim/run_rays.hpp"
+#include "sim/cosim/station.hpp"
 #include "sim/cosim/world_boxes.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/trace/leaf_test.hpp"
@@ -24,167 +26,101 @@ namespace hitpipe::sim {
 
 namespace world_units {
 
-constexpr int most_in_flight = 65'536;  // a tag has 16 bits
-
-/// One of the two units, with the tests that are on their way through it.
-class Station {
- public:
-  explicit Station(const VerilatedDesign& design, const rtl::Evaluate& evaluate)
-      : model_(design),
-        evaluate_(evaluate),
-        operands_(design.operand_count()),
-        results_(design.results().size()),
-        longest_silence_(design.latency() + design.unit().pipeline.interval() + 1) {}
-
-  void ask(std::uint32_t ray) { waiting_.push_back(ray); }
-  [[nodiscard]] bool idle() const { return waiting_.empty() && sent_.empty(); }
-  [[nodiscard]] const WorldUnitCounts& counts() const { return counts_; }
-
-  /// One cycle. write(ray, operands) gives the operands of the next ray's test; answered(ray, results) takes
-  /// an answer and returns how many objects are hit.
-  template <class Write, class Answered>
-  void cycle(const Write& write, const Answered& answered) {
-    Pins pins{.results = results_.data()};
-    if (!waiting_.empty()) {
-      write(waiting_.front(), operands_.data());
-      pins.in_valid = true;
-      pins.in_tag = static_cast<std::uint16_t>(waiting_.front());
-    }
-    model_.cycle(operands_.data(), pins);
-    ++counts_.cycles;
-    if (pins.in_valid && pins.in_ready) {
-      Sent& sent = sent_.emplace_back(Sent{waiting_.front(), {}});
-      evaluate_(operands_.data(), sent.expected.data());
-      waiting_.pop_front();
-    }
-    if (!pins.out_valid) {
-      if (!sent_.empty() && ++silent_ > longest_silence_)
-        throw WrongHardware(fmt::format("{}: no answer within its latency", model_.design().unit().module));
-      return;
-    }
-    silent_ = 0;
-    if (sent_.empty()) {
-      ++counts_.rtl_mismatches;
-      return;
-    }
-    const Sent sent = sent_.front();
-    sent_.pop_front();
-    bool same = pins.out_tag == sent.ray;
-    for (std::size_t i = 0; i < results_.size(); ++i) same = same && results_[i] == sent.expected[i];
-    ++counts_.tests;
-    counts_.rtl_mismatches += same ? 0 : 1;
-    counts_.hits += answered(sent.ray, results_.data());
-  }
-
- private:
-  /// Answers keep the order of the tests.
-  struct Sent {
-    std::uint32_t ray;
-    std::array<std::int64_t, rtl::Evaluate::most_results> expected;
-  };
-
-  Model model_;
-  rtl::Evaluate evaluate_;
-  std::vector<std::int64_t> operands_, results_;
-  std::deque<std::uint32_t> waiting_;
-  std::deque<Sent> sent_;
-  WorldUnitCounts counts_;
-  int silent_ = 0;
-  int longest_silence_;
-};
-
 /// The units of one thread.
 class Stations {
  public:
   virtual ~Stations() = default;
   virtual void run(const ref::TraceJob& job, ref::TraceCounts& counts) = 0;
-  [[nodiscard]] virtual const WorldUnitCounts& boxes() const = 0;
-  [[nodiscard]] virtual const WorldUnitCounts& triangles() const = 0;
-  [[nodiscard]] virtual const WorldUnitCounts& divisions() const = 0;
+  /// Of the stations.
+  [[nodiscard]] virtual WorldCounts counts() const = 0;
 };
 
 template <class Boxes>
 class StationsWith final : public Stations {
  public:
   StationsWith(const WorldBoxes& world, const WorldUnits& units, const VerilatedMachine& divider)
-      : boxes_(*units.boxes, evaluate(*units.boxes)),
-        triangles_(*units.triangles, evaluate(*units.triangles)),
+      : boxes_(*units.boxes, {evaluate(*units.boxes)}, units.rays_in_flight),
+        triangles_(*units.triangles, {evaluate(*units.triangles)}, units.rays_in_flight),
         divider_(divider, divider_format(world.scene->bits)),
         hit_(rtl::place_of_hit(units.triangles->results())),
         halves_(places_of_halves(units.triangles->results())),
         world_(world) {
-    for (int i = 0; i < units.rays_in_flight; ++i) slots_.emplace_back(world, units);
+    for (int i = 0; i < units.rays_in_flight; ++i) places_.emplace_back(world, units);
   }
 
   void run(const ref::TraceJob& job, ref::TraceCounts& counts) override {
-    std::size_t next = 0, ended = 0;
-    for (Slot& slot : slots_) slot.ray = none;
-    const auto start = [&](Slot& slot) {
-      const ref::IntRay made = ref::int_ray(job.rays[next], world_.scene->bits);
-      slot.ray = next++;
-      slot.boxes.start(made, job.query);
-      slot.triangle->start(made);
-    };
-    const auto step = [&](std::uint32_t number) {
-      Slot& slot = slots_[number];
-      while (slot.ray != none && slot.walk().done()) {
-        job.triangles[slot.ray] = slot.walk().hit().triangle;
-        const ref::TraceCounts work = slot.walk().counts();
-        if (!job.work.empty()) job.work[slot.ray] = work;
-        counts += work;
-        ++ended;
-        slot.ray = none;
-        if (next < job.rays.size()) start(slot);
-      }
-      if (slot.ray != none) (slot.walk().at_triangle() ? triangles_ : boxes_).ask(number);
-    };
-    for (std::uint32_t i = 0; i < slots_.size() && next < job.rays.size(); ++i) {
-      start(slots_[i]);
-      step(i);
-    }
-    while (ended < job.rays.size()) {
-      if (!boxes_.idle())
-        boxes_.cycle([&](std::uint32_t ray, std::int64_t* out) { slots_[ray].boxes.write(out); },
-                     [&](std::uint32_t ray, const std::int64_t* results) {
-                       const unsigned hits = slots_[ray].boxes.answer(results);
-                       step(ray);
-                       return hits;
-                     });
-      if (!triangles_.idle())
-        triangles_.cycle(
-            [&](std::uint32_t ray, std::int64_t* out) {
-              Slot& slot = slots_[ray];
-              slot.triangle->operands(world_.scene->mesh.triangles[slot.walk().triangle()], out);
-            },
-            [&](std::uint32_t ray, const std::int64_t* results) {
-              Slot& slot = slots_[ray];
-              if (results[hit_] == 0) {
-                slot.walk().answer_triangle(false, 0);
-                step(ray);
-                return 0U;
-              }
-              slot.crossing = slot.triangle->crossing(results);
-              std::array<std::int64_t, 4> halves;
-              for (std::size_t i = 0; i < halves.size(); ++i) halves[i] = results[halves_[i]];
-              divider_.ask(ray, halves);
-              return 1U;
-            });
-      if (!divider_.idle())
-        divider_.cycle(
-            [&](std::uint32_t ray) { return best_of(slots_[ray].walk()); },
-            [&](std::uint32_t ray, std::int64_t t, bool closer) {
-              Slot& slot = slots_[ray];
-              if (closer != is_closer(slot.walk(), slot.crossing) || (slot.crossing && slot.crossing->t != t))
-                ++divider_.counts().rtl_mismatches;
-              slot.walk().answer_triangle(closer, t);
-              step(ray);
-            });
-    }
+    std::size_t given = 0;
+    query_ = job.query;
+    rays_ = job.rays;
+    run_rays(
+        *this, places_.size(),
+        [&] { return given < job.rays.size() ? std::optional(given++) : std::nullopt; },
+        [&](std::size_t place) {
+          const auto& walk = places_[place].boxes.walk();
+          const std::size_t ray = places_[place].ray;
+          job.triangles[ray] = walk.hit().triangle;
+          if (!job.work.empty()) job.work[ray] = walk.counts();
+          counts += walk.counts();
+        });
   }
 
-  [[nodiscard]] const WorldUnitCounts& boxes() const override { return boxes_.counts(); }
-  [[nodiscard]] const WorldUnitCounts& triangles() const override { return triangles_.counts(); }
-  [[nodiscard]] const WorldUnitCounts& divisions() const override { return divider_.counts(); }
+  // For run_rays().
+  void start(std::size_t place, std::size_t ray) {
+    const ref::IntRay made = ref::int_ray(rays_[ray], world_.scene->bits);
+    places_[place].ray = ray;
+    places_[place].boxes.start(made, query_);
+    places_[place].triangle->start(made);
+  }
+  [[nodiscard]] bool done(std::size_t place) const { return walk(place).done(); }
+  [[nodiscard]] bool idle() const { return boxes_.idle() && triangles_.idle() && divider_.idle(); }
+  void ask(std::size_t place) {
+    if (walk(place).at_triangle())
+      triangles_.ask(place, write_triangle());
+    else
+      boxes_.ask(place, write_boxes());
+  }
+  template <class Answered>
+  void cycle(const Answered& answered) {
+    if (!boxes_.idle())
+      boxes_.cycle(write_boxes(), [&](std::size_t place, const std::int64_t* results) {
+        box_hits_ += places_[place].boxes.answer(results);
+        answered(place);
+      });
+    if (!triangles_.idle())
+      triangles_.cycle(write_triangle(), [&](std::size_t place, const std::int64_t* results) {
+        Place& at = places_[place];
+        if (results[hit_] == 0) {
+          at.boxes.answer_triangle(false, 0);
+          answered(place);
+          return;
+        }
+        ++triangle_hits_;
+        at.crossing = at.triangle->crossing(results);
+        std::array<std::int64_t, 4> halves;
+        for (std::size_t i = 0; i < halves.size(); ++i) halves[i] = results[halves_[i]];
+        divider_.ask(static_cast<std::uint32_t>(place), halves);
+      });
+    if (!divider_.idle())
+      divider_.cycle(
+          [&](std::uint32_t place) { return best_of(walk(place)); },
+          [&](std::uint32_t place, std::int64_t t, bool closer) {
+            Place& at = places_[place];
+            if (closer != is_closer(walk(place), at.crossing) || (at.crossing && at.crossing->t != t))
+              ++divider_.counts().rtl_mismatches;
+            at.boxes.answer_triangle(closer, t);
+            answered(place);
+          });
+  }
+
+  [[nodiscard]] WorldCounts counts() const override {
+    WorldCounts counts;
+    counts.boxes = boxes_.counts();
+    counts.boxes.hits = box_hits_;
+    counts.triangles = triangles_.counts();
+    counts.triangles.hits = triangle_hits_;
+    counts.divisions = divider_.counts();
+    return counts;
+  }
 
  private:
   template <class Walk>
@@ -212,30 +148,40 @@ class StationsWith final : public Stations {
     return places;
   }
 
-  static constexpr std::size_t none = ~std::size_t{0};
-
   static rtl::Evaluate evaluate(const VerilatedDesign& design) {
     return design.unit().design->evaluate(design.unit().format);
   }
 
-  struct Slot {
-    Slot(const WorldBoxes& world, const WorldUnits& units)
+  struct Place {
+    Place(const WorldBoxes& world, const WorldUnits& units)
         : boxes(world, units.boxes->results()),
           triangle(make_triangle_test(*units.triangles->unit().design, units.triangles->unit().format)) {}
-    [[nodiscard]] auto& walk() { return boxes.walk(); }
 
-    std::size_t ray = none;  ///< its place in the job
+    std::size_t ray = 0;  ///< its place in the job
     Boxes boxes;
     std::unique_ptr<TriangleTest> triangle;
     std::optional<ref::IntCrossing> crossing{};  ///< of the test that is in the divider
   };
+
+  [[nodiscard]] const auto& walk(std::size_t place) const { return places_[place].boxes.walk(); }
+  [[nodiscard]] auto write_boxes() {
+    return [this](std::size_t place, std::int64_t* out) { places_[place].boxes.write(out); };
+  }
+  [[nodiscard]] auto write_triangle() {
+    return [this](std::size_t place, std::int64_t* out) {
+      places_[place].triangle->operands(world_.scene->mesh.triangles[walk(place).triangle()], out);
+    };
+  }
 
   Station boxes_, triangles_;
   DividerStation divider_;
   std::size_t hit_;                    ///< of a triangle
   std::array<std::size_t, 4> halves_;  ///< of det and num, among the triangle unit's results
   const WorldBoxes& world_;
-  std::vector<Slot> slots_;
+  std::vector<Place> places_;
+  ref::Query query_ = ref::Query::closest;
+  std::span<const ref::Ray> rays_;
+  std::uint64_t box_hits_ = 0, triangle_hits_ = 0;
 };
 
 inline bool tests_two(const WorldUnits& units) {
@@ -249,7 +195,7 @@ inline std::unique_ptr<Stations> make_stations(const WorldBoxes& world, const Wo
 }
 
 inline hls::MajorBits box_format(const ref::IntScene& scene, const VerilatedDesign& boxes) {
-  const Unit& unit = boxes.unit();
+  const rtl::Unit& unit = boxes.unit();
   if (!(unit.design->kind == hls::box_kind || unit.design->kind == hls::pair_kind) ||
       &unit.format.family() != &rtl::Format(hls::MajorBits{}).family())
     throw std::runtime_error(
@@ -276,14 +222,6 @@ struct WorldTracer::Shared {
   mutable WorldCounts counts;
 };
 
-WorldUnitCounts& WorldUnitCounts::operator+=(const WorldUnitCounts& other) {
-  tests += other.tests;
-  hits += other.hits;
-  cycles += other.cycles;
-  rtl_mismatches += other.rtl_mismatches;
-  return *this;
-}
-
 WorldCounts& WorldCounts::operator+=(const WorldCounts& other) {
   boxes += other.boxes;
   triangles += other.triangles;
@@ -296,9 +234,7 @@ WorldCounts& WorldCounts::operator+=(const WorldCounts& other) {
 
 WorldTracer::WorldTracer(const ref::IntScene& scene, const WorldUnits& units)
     : shared_(std::make_unique<Shared>()) {
-  if (units.rays_in_flight < 1 || units.rays_in_flight > world_units::most_in_flight)
-    throw std::invalid_argument(fmt::format("{} rays in flight: allowed is 1 to {}", units.rays_in_flight,
-                                            world_units::most_in_flight));
+  Station::check(units.rays_in_flight);
   shared_->world = {scene, world_units::box_format(scene, *units.boxes)};
   shared_->units = units;
   shared_->divider = std::make_unique<const VerilatedMachine>(*rtl::machine_called(divider_name),
@@ -344,9 +280,7 @@ std::size_t WorldTracer::node_count() const {
 WorldCounts WorldTracer::counts() const {
   WorldCounts sum = shared_->counts;
   for (const auto& own : shared_->stations) {
-    sum.boxes += own->boxes();
-    sum.triangles += own->triangles();
-    sum.divisions += own->divisions();
+    sum += own->counts();
   }
   return sum;
 }

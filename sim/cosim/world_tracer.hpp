@@ -7,24 +7,16 @@
 #include <memory>
 
 #include "sim/check/triangle_test.hpp"
+#include "sim/cosim/counts.hpp"
 #include "sim/unit/verilated_design.hpp"
 #include "sw_ref/trace/tracer.hpp"
 #include "sw_ref/world/int_scene.hpp"
 
 namespace hitpipe::sim {
 
-/// What one of the units did. The divider's hits are those that are nearer than the best.
-struct WorldUnitCounts {
-  std::uint64_t tests = 0;
-  std::uint64_t hits = 0;  ///< boxes or triangles, also where a test is of two boxes
-  std::uint64_t cycles = 0;
-  std::uint64_t rtl_mismatches = 0;  ///< a result differs from the C++ datapath, or has another ray's tag
-
-  WorldUnitCounts& operator+=(const WorldUnitCounts& other);
-};
-
+/// Hits of boxes and triangles are those with HIT; those of the divider are nearer than the best before.
 struct WorldCounts {
-  WorldUnitCounts boxes, triangles, divisions;
+  UnitCounts boxes, triangles, divisions;
   std::uint64_t rays = 0;
   std::uint64_t different = 0;  ///< rays whose answer is not that of exact integers
   ref::TraceCounts reference;   ///< by software with exact boxes, for the same rays

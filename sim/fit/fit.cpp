@@ -9,6 +9,7 @@
 
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/facts.hpp"
+#include "rtl_gen/prune/prune.hpp"
 #include "sim/software.hpp"
 
 namespace hitpipe::sim {
@@ -172,13 +173,13 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
                     design.name, rtl::to_string(format), millions(rate.boxes_per_second),
                     millions(static_cast<double>(price.boxes_per_second()))));
   rtl::Pipeline pipeline = cutter.pipeline(pruned.graph, interval);
-  FittedUnit unit{make_unit(design, format, library, std::move(pipeline), demands),
-                  before,
-                  precision,
-                  area::price(design, before, library, area::Account::built),
-                  std::move(price),
-                  std::move(pruned.report),
-                  {}};
+  FittedUnit unit{
+      rtl::make_unit(design, format, library, std::move(pipeline), demands, std::move(pruned.report)),
+      before,
+      precision,
+      area::price(design, before, library, area::Account::built),
+      std::move(price),
+      {}};
 
   if (unit.format != before) {
     const area::Price whole = area::price(design, unit.format, library, area::Account::built);
@@ -214,13 +215,6 @@ std::optional<area::Price> price_of_fit(const rtl::Design& design, const Precisi
       design, format, library, design.trace(format), rtl::set_up_demands(design.ports(format)), rate};
   const area::Price price = cutter.smallest(port_demands(design, format, scene, precision));
   return cutter.is_reached_by(price) ? std::optional(price) : std::nullopt;
-}
-
-rtl::EmittedDesign fitted_files(const FittedUnit& unit, const rtl::Library& library) {
-  const std::vector<rtl::Port> ports = unit.ports();
-  const rtl::PrunedFrom from{ports, unit.demands, unit.report};
-  return rtl::emit(*unit.design, unit.format, library, unit.pipeline,
-                   {.pruned_from = unit.demands.empty() ? nullptr : &from, .verilog = &unit.verilog});
 }
 
 }  // namespace hitpipe::sim

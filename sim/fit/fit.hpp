@@ -8,10 +8,9 @@
 
 #include "area_model/price.hpp"
 #include "rtl_gen/emit/files.hpp"
-#include "rtl_gen/prune/prune.hpp"
+#include "rtl_gen/part/unit.hpp"
 #include "sim/fit/port_demands.hpp"
 #include "sim/fit/precision.hpp"
-#include "sim/unit/unit.hpp"
 
 namespace hitpipe::sim {
 
@@ -30,12 +29,11 @@ struct FitRate {
 };
 
 /// A unit without demands is the whole design at another format.
-struct FittedUnit : Unit {
+struct FittedUnit : rtl::Unit {
   rtl::Format before;
   std::optional<Precision> precision;  ///< only when it was searched for and found
   area::Price price_before;            ///< of the whole design at `before`, account `built`
   area::Price price;
-  rtl::PruneReport report;
   std::vector<LeftOut> left_out;
 
   [[nodiscard]] std::int64_t saved_um2() const { return price_before.area_um2 - price.area_um2; }
@@ -52,10 +50,5 @@ struct FittedUnit : Unit {
 [[nodiscard]] std::optional<area::Price> price_of_fit(const rtl::Design& design, const Precision& precision,
                                                       const ref::SceneDemands& scene,
                                                       const rtl::Library& library, const FitRate& rate = {});
-
-/// The files of the fitted unit: Verilog with a check block, a module that checks the set-up's operands, a
-/// manifest that lists the demands, and vectors that meet them. A unit without demands gets the files of the
-/// whole design.
-[[nodiscard]] rtl::EmittedDesign fitted_files(const FittedUnit& unit, const rtl::Library& library);
 
 }  // namespace hitpipe::sim

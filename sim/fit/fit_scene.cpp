@@ -102,7 +102,7 @@ FitResult fit_at(const rtl::Design& design, const rtl::Format& before,
   FittedUnit unit = fit(design, before, precision, scene.demands, library, rate);
   std::stable_sort(unit.left_out.begin(), unit.left_out.end(),
                    [](const LeftOut& a, const LeftOut& b) { return a.area_um2 > b.area_um2; });
-  const rtl::EmittedDesign emitted = fitted_files(unit, library);
+  const rtl::EmittedDesign emitted = rtl::emit(unit);
   start_step(options, name + ": compiling the Verilog");
   const VerilatedDesign verilated(unit);
   const bool drawn = options.folder.empty() || rtl::write_unit(options.folder / name, emitted).drawn;

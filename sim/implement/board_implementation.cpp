@@ -102,18 +102,20 @@ BoardImplementation implement_board(const rtl::Design& design, const rtl::Format
   const BoardBench made(board, options);
 
   options.progress("writing the unit");
-  const rtl::Pipeline pipeline = rtl::make_pipeline(
-      design.trace(format), made.library, options.clock_ps.value_or(board.unit_clock_ps()), options.interval);
+  const rtl::Unit unit = rtl::make_unit(design, format, made.library,
+                                        {.module = options.module,
+                                         .interval = options.interval,
+                                         .clock_ps = options.clock_ps.value_or(board.unit_clock_ps())});
   const rtl::VectorSet vectors = design_vectors(design, format, usual_vectors, options.seed);
-  const rtl::EmittedDesign emitted =
-      rtl::emit(design, format, made.library, pipeline, {.module = options.module, .vectors = &vectors});
+  const rtl::EmittedDesign emitted = rtl::emit(unit, {.vectors = &vectors});
   const std::string top = rtl::board_module(emitted.module);
   const host::File top_file{
-      top + ".v", rtl::board_top(rtl::board_unit(design, format, emitted.module, pipeline), clocks_per_bit)};
+      top + ".v",
+      rtl::board_top(rtl::board_unit(design, format, emitted.module, *unit.pipeline), clocks_per_bit)};
   const bool drawn = rtl::write_unit(made.bench.kept(), emitted).drawn;
   host::write_files(made.bench.kept(), {rtl::with_licence(top_file)});
   BoardImplementation result = made.run({top, {emitted.verilog, top_file}});
-  result.chip.latency = pipeline.latency();
+  result.chip.latency = unit.pipeline->latency();
   result.chip.drawn = drawn;
   return result;
 }

@@ -24,7 +24,7 @@ CoreImplementation implement_core(const rtl::CoreOptions& core_options, const Ta
       .chip = map_module(target, {core.module, {verilog}}, tools, bench, options.progress),
       .clock_ps = core.clock_ps};
   result.chip.library = library.name();
-  for (const rtl::CorePart& part : core.parts)
+  for (const rtl::Part& part : core.parts)
     if (part.graph) result.memory_bits += area::price(*part.graph, library).memory_bits;
   place_or_time(result.chip, target, tools, bench, options.seeds, options.progress);
   return result;

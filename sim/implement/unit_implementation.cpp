@@ -8,7 +8,6 @@
 #include "area_model/energy.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
-#include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/names.hpp"
 #include "sim/implement/synthesis.hpp"
 #include "sim/implement/target.hpp"
@@ -33,19 +32,20 @@ Implementation implement_unit(const rtl::Design& design, const rtl::Format& form
   const Workbench bench(options.folder / target.name);
 
   options.progress("writing the unit");
-  const rtl::Pipeline pipeline =
-      rtl::make_pipeline(design.trace(format), library, options.clock_ps, options.interval);
+  const rtl::Unit unit = rtl::make_unit(design, format, library,
+                                        {.module = options.module,
+                                         .flow_control = options.flow_control,
+                                         .interval = options.interval,
+                                         .clock_ps = options.clock_ps});
   const rtl::VectorSet vectors = design_vectors(
       design, format, static_cast<std::size_t>(options.simulate.value_or(usual_vectors)), options.seed);
-  const rtl::EmittedDesign emitted =
-      rtl::emit(design, format, library, pipeline,
-                {.module = options.module, .flow_control = options.flow_control, .vectors = &vectors});
+  const rtl::EmittedDesign emitted = rtl::emit(unit, {.vectors = &vectors});
   const bool drawn = rtl::write_unit(bench.kept(), emitted).drawn;
 
   Implementation result =
       map_module(target, {emitted.module, {emitted.verilog}}, tools, bench, options.progress);
   result.library = library.name();
-  result.latency = pipeline.latency();
+  result.latency = unit.pipeline->latency();
   result.drawn = drawn;
   if (simulator) {
     options.progress("simulating the netlist");
@@ -61,7 +61,7 @@ Implementation implement_unit(const rtl::Design& design, const rtl::Format& form
       for (rtl::Vector& vector : vectors.all()) tests.push_back(std::move(vector.operands));
       if (tests.size() >= 2)
         result.estimated_pj_per_test =
-            area::energy_pj(area::toggles_of(pipeline, library, tests), result.energy->cycles_per_test);
+            area::energy_pj(area::toggles_of(*unit.pipeline, library, tests), result.energy->cycles_per_test);
     }
   }
   place_or_time(result, target, tools, bench, options.seeds, options.progress);

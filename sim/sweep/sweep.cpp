@@ -152,13 +152,13 @@ class Run {
       unit.corners = read(ref::TriangleLayout::corners);
       unit.indices = read(ref::TriangleLayout::indices);
       unit.verilated.emplace(
-          make_unit(*point.design, point.format, library, rtl::FlowControl::stall, point.interval));
+          rtl::make_unit(*point.design, point.format, library, {.interval = point.interval}));
       if (!options_.tests_only) {
         unit.set_up = set_up_cost(*point.design, point.format, library);
         // The tests are of the picture's rays.
         if (library.chip() == nullptr && options_.rays.empty())
           unit.toggles =
-              scene_toggles(*point.design, point.format, unit.verilated->unit().pipeline, scene_, bvh_,
+              scene_toggles(*point.design, point.format, *unit.verilated->unit().pipeline, scene_, bvh_,
                             {.width = options_.width, .height = options_.height, .light = options_.light});
       }
     }

@@ -28,7 +28,7 @@ class Driver {
     const Traffic& traffic = options_.traffic;
     // A test that is lost would be waited for without end.
     const auto most_cycles =
-        static_cast<std::uint64_t>(16.0 * model_.design().unit().pipeline.interval() *
+        static_cast<std::uint64_t>(16.0 * model_.design().unit().pipeline->interval() *
                                    static_cast<double>(tests_.size()) / (traffic.offered * traffic.taken)) +
         1000;
     // So that everything in a pipeline comes out.
@@ -57,7 +57,7 @@ class Driver {
   /// Follows the phase of the unit from the first cycle in which it takes tests.
   void check_ready(const Pins& pins) {
     const bool moves = pins.out_ready || !pins.out_valid;
-    const int interval = model_.design().unit().pipeline.interval();
+    const int interval = model_.design().unit().pipeline->interval();
     if (!phase_ && (pins.in_ready || interval == 1)) phase_ = 0;
     if (pins.in_ready != (moves && phase_ == 0)) fail(report_.wrong_ready, "wrong in_ready: ", pins.out_tag);
     if (pins.rst) {
@@ -209,7 +209,7 @@ DriveReport drive(Model& model, const TestBatch& tests, const DriveOptions& opti
 
 VectorResult check_vectors(const VectorCheck& check) {
   constexpr std::uint64_t most_of_a_batch = 65'536;
-  const Unit& unit = check.verilated->unit();
+  const rtl::Unit& unit = check.verilated->unit();
   const rtl::Evaluate evaluate = unit.design->evaluate(unit.format);
   rtl::DrawVectors draw(unit.ports(), unit.demands, evaluate, check.seed);
   Model model(*check.verilated);

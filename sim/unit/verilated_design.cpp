@@ -8,14 +8,13 @@ namespace hitpipe::sim {
 
 namespace {
 
-ModelSources sources_of(const Unit& unit, const std::vector<hls::Result>& results) {
+ModelSources sources_of(const rtl::Unit& unit, const std::vector<hls::Result>& results) {
   const auto wrapper = [&](const std::string& module, const std::vector<rtl::Port>& ports,
                            const MorePins& more) {
-    return model_source(module, unit.ports(), ports, results, unit.flow_control, unit.pipeline.interval(),
-                        more);
+    return model_source(module, unit.ports(), ports, results, unit.flow_control(), unit.interval(), more);
   };
   if (!unit.ray_slots)
-    return {unit.module, unit.verilog, wrapper(unit.module, rtl::input_ports(unit.pipeline.graph), {})};
+    return {unit.module(), unit.verilog, wrapper(unit.module(), rtl::input_ports(unit.pipeline->graph), {})};
   const rtl::RaySlots& slots = *unit.ray_slots;
   return {slots.module(), unit.verilog,
           wrapper(slots.module(), slots.test, ray_slot_pins(slots, unit.ports()))};
@@ -24,22 +23,22 @@ ModelSources sources_of(const Unit& unit, const std::vector<hls::Result>& result
 }  // namespace
 
 struct VerilatedDesign::Loaded {
-  Loaded(Unit of, const std::vector<hls::Result>& results, const std::filesystem::path& cache)
+  Loaded(rtl::Unit of, const std::vector<hls::Result>& results, const std::filesystem::path& cache)
       : unit(std::move(of)), library(sources_of(unit, results), cache) {}
 
-  Unit unit;
+  rtl::Unit unit;
   ModelLibrary library;
   CycleModel cycle = library.entry_point<CycleModel>("hitpipe_cycle");
 };
 
-VerilatedDesign::VerilatedDesign(Unit unit, const std::filesystem::path& cache)
+VerilatedDesign::VerilatedDesign(rtl::Unit unit, const std::filesystem::path& cache)
     : results_(unit.design->results(unit.format)),
-      latency_(unit.ray_slots ? unit.ray_slots->latency(unit.pipeline.latency()) : unit.pipeline.latency()),
+      latency_(unit.ray_slots ? unit.ray_slots->latency(unit.pipeline->latency()) : unit.pipeline->latency()),
       operand_count_(unit.ports().size()) {
   loaded_ = std::make_shared<Loaded>(std::move(unit), results_, cache);
 }
 
-const Unit& VerilatedDesign::unit() const {
+const rtl::Unit& VerilatedDesign::unit() const {
   return loaded_->unit;
 }
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "rtl_gen/part/unit.hpp"
 #include "sim/model/model_library.hpp"
 #include "sim/model/pins.hpp"
-#include "sim/unit/unit.hpp"
 
 namespace hitpipe::sim {
 
@@ -16,9 +16,9 @@ class VerilatedDesign {
  public:
   /// The model takes the operands of the whole design. A unit with ray slots is driven through its slots.
   /// Throws as ModelLibrary does.
-  explicit VerilatedDesign(Unit unit, const std::filesystem::path& cache = default_cache());
+  explicit VerilatedDesign(rtl::Unit unit, const std::filesystem::path& cache = default_cache());
 
-  [[nodiscard]] const Unit& unit() const;
+  [[nodiscard]] const rtl::Unit& unit() const;
   /// Of the unit, with its ray slots if it has them.
   [[nodiscard]] int latency() const { return latency_; }
   [[nodiscard]] std::size_t operand_count() const { return operand_count_; }

@@ -9,7 +9,7 @@ namespace {
 class MajorPairTracer final : public Tracer {
  public:
   MajorPairTracer(hls::MajorBits bits, const Mesh& mesh, const Bvh& bvh)
-      : bits_(bits), records_(bvh, bits.coord, bits.finer), scene_{&records_, Leaves(mesh, bvh)} {}
+      : bits_(bits), records_(bvh, bits.coord, bits.finer), leaves_(mesh, bvh) {}
 
   void trace(const TraceJob& job, TraceCounts& counts) const override {
     check_places(job);
@@ -18,14 +18,13 @@ class MajorPairTracer final : public Tracer {
       const IntMajorRaySetup set_up(ray, bits_);
       const MajorDistances distances(set_up.ray(), bits_);
       const auto in_results = [&](float length) { return set_up.length(length); };
-      PairTraversal traversal(scene_, ray, job.query, set_up.length(ray.length), Loads{job.loads});
-      while (!traversal.done()) {
-        traversal.answer(test_pair(distances, records_.boxes(traversal.record()), traversal.parent()),
-                         in_results);
-      }
-      job.triangles[i] = traversal.hit().triangle;
-      if (!job.work.empty()) job.work[i] = traversal.counts();
-      counts += traversal.counts();
+      RecordWalk walk(records_, FloatWorld(leaves_, ray, Loads{job.loads}), job.query,
+                      set_up.length(ray.length));
+      while (!walk.done())
+        walk.answer(test_pair(distances, records_.boxes(walk.record()), walk.parent()), in_results);
+      job.triangles[i] = walk.hit().triangle;
+      if (!job.work.empty()) job.work[i] = walk.counts();
+      counts += walk.counts();
     }
   }
 
@@ -35,7 +34,7 @@ class MajorPairTracer final : public Tracer {
  private:
   hls::MajorBits bits_;
   PairNodes records_;
-  PairHierarchy<PairNodes> scene_;
+  Leaves leaves_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "sw_ref/hierarchy/pair_nodes.hpp"
 #include "sw_ref/trace/int_major.hpp"
-#include "sw_ref/trace/pair_traversal.hpp"
+#include "sw_ref/trace/walk.hpp"
 
 namespace hitpipe::ref {
 

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "sw_ref/hierarchy/pair_nodes.hpp"
-#include "sw_ref/trace/pair_traversal.hpp"
+#include "sw_ref/trace/walk.hpp"
 
 namespace hitpipe::ref {
 

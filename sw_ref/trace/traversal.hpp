@@ -1,6 +1,5 @@
-// Depth-first traversal of one ray through a hierarchy, children in a fixed order or near child first by
-// direction and split axis (DSA, section 4.5). DepthFirst goes from box test to box test; a software loop
-// (trace_ray) and a pipeline that answers many cycles later (Traversal) both use it.
+// Depth-first traversal of one ray through a hierarchy by software, children in a fixed order or near child first
+// by direction and split axis (DSA, section 4.5). sw_ref/trace/walk.hpp is for what answers later.
 #pragma once
 
 #include <array>
@@ -114,47 +113,6 @@ template <class Store, SoftwareBoxTest<typename Store::Box> Test>
   } while (!walk.done());
   return walk.counts();
 }
-
-/// Near child first, with the exact triangle test. It pauses at each box test: it names the node whose box is
-/// to be tested, and continues when it gets the answer. Hierarchy and mesh must outlive it and not change.
-/// The hierarchy has at least one node.
-class Traversal {
- public:
-  Traversal(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query, Loads loads = {})
-      : store_(bvh),
-        leaves_(mesh, bvh),
-        ray_(ray),
-        length_(ray.length),
-        query_(query),
-        loads_(loads),
-        walk_(store_, direction_class(ray.direction)) {}
-
-  [[nodiscard]] bool done() const { return walk_.done(); }
-  /// The node whose box is to be tested now. Only while !done().
-  [[nodiscard]] std::uint32_t node() const { return store_.index(walk_.node()); }
-  /// A box that the ray enters beyond this t need not be visited. It is the ray's length, or the exact t of
-  /// the best hit rounded up.
-  [[nodiscard]] float length() const { return length_; }
-  [[nodiscard]] const Ray& ray() const { return ray_; }
-  /// The best hit so far; final when done().
-  [[nodiscard]] const Hit& hit() const { return hit_; }
-  [[nodiscard]] TraceCounts counts() const { return walk_.counts(); }
-
-  /// Continues with the result of the box test of node(): true if the ray, cut at length(), may meet its box.
-  void answer(bool box_hit) {
-    walk_.answer(box_hit, store_, leaves_, ray_, query_, hit_, loads_, [&] { length_ = cull_length(hit_); });
-  }
-
- private:
-  PlainNodes store_;
-  Leaves leaves_;
-  Ray ray_;
-  Hit hit_;
-  float length_;
-  Query query_;
-  Loads loads_;
-  DepthFirst<PlainNodes> walk_;
-};
 
 /// Traces one ray with the box test Test(ray) and the exact triangle test, near child first.
 template <class Test>

@@ -10,7 +10,7 @@
 #include "sw_ref/trace/int_major.hpp"
 #include "sw_ref/trace/leaf_test.hpp"
 #include "sw_ref/world/int_meets.hpp"
-#include "sw_ref/world/int_traversal.hpp"
+#include "sw_ref/world/int_world.hpp"
 
 namespace hitpipe::ref {
 
@@ -67,12 +67,12 @@ class IntTracer final : public Tracer {
 
  private:
   std::uint32_t trace_one(const IntRay& ray, Query query, TraceCounts& work) const {
-    IntTraversal walk(*bvh_, ray, query);
+    IntBoxWalk walk(*bvh_, IntWorld(*bvh_, ray), query);
     Boxes test(ray, options_);
     test.cut(walk.length());
     while (!walk.done()) {
       if (!walk.at_triangle()) {
-        walk.answer_box(test(boxes_[walk.node()]));
+        walk.answer(test(boxes_[walk.node()]));
         continue;
       }
       const auto crossing = int_crossing(ray, mesh_->triangles[walk.triangle()], options_.world);

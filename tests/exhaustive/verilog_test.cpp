@@ -50,7 +50,7 @@ std::vector<IntBox> distinct_boxes(const NarrowUnit& unit) {
 
 /// Sends everything back to back and compares each answer in turn with the C++.
 void expect_same_answers(const NarrowUnit& unit) {
-  const sim::VerilatedDesign verilated(sim::make_unit(unit.design, unit.format, rtl::Library::thesis()));
+  const sim::VerilatedDesign verilated(rtl::make_unit(unit.design, unit.format, rtl::Library::thesis()));
   ASSERT_EQ(verilated.operand_count(), unit.ray_operands + 6);
   const std::vector<Operands> rays = distinct_rays(unit);
   const std::vector<IntBox> all_boxes = distinct_boxes(unit);

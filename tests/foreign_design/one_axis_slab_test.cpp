@@ -57,9 +57,8 @@ TEST(OneAxisSlab, IsScheduledAndPriced) {
 
 TEST(OneAxisSlab, IsEmittedDrawnAndLintClean) {
   const host::ScratchFolder folder;
-  const rtl::Pipeline pipeline = rtl::make_pipeline(slab.trace(bits), rtl::Library::thesis());
   const rtl::EmittedDesign emitted =
-      rtl::emit(slab, bits, rtl::Library::thesis(), pipeline, {.module = "one_axis_slab"});
+      rtl::emit(rtl::make_unit(slab, bits, rtl::Library::thesis(), {.module = "one_axis_slab"}));
   EXPECT_TRUE(rtl::write_unit(folder.path(), emitted).drawn);
   EXPECT_FALSE(emitted.schematics.empty());
   const rtl::ToolResult lint =
@@ -75,7 +74,7 @@ TEST(OneAxisSlab, IsEmittedDrawnAndLintClean) {
 TEST(OneAxisSlab, AnswersInVerilogAsInCpp) {
   constexpr int count = 100000;
   const host::ScratchFolder cache;
-  const sim::VerilatedDesign verilated(sim::make_unit(slab, bits, rtl::Library::thesis()), cache.path());
+  const sim::VerilatedDesign verilated(rtl::make_unit(slab, bits, rtl::Library::thesis()), cache.path());
   const rtl::Evaluate evaluate = slab.evaluate(bits);
   const auto vectors = rtl::operand_vectors(slab.ports(bits), count, 5);
   sim::Model model(verilated);

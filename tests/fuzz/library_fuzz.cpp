@@ -49,11 +49,9 @@ void schedule(const rtl::Library& library) {
   const std::string verilog = rtl::to_verilog(pipeline, library, {.module_name = "int_slabs", .bits = {}});
   for (std::size_t at = 0; !verilog.substr(at).starts_with("module "); at = verilog.find('\n', at) + 1)
     expect(verilog.substr(at, 2) == "//", "the library's name stays in its comment");
-  const rtl::ModuleInterface unit =
-      rtl::unit_interface("int_slabs", rtl::input_ports(graph),
-                          rtl::result_ports(design.results(design.default_format)), rtl::FlowControl::stall);
-  expect(!rtl::manifest(design, design.default_format, unit, pipeline, library).dump().empty(),
-         "a manifest is written");
+  const rtl::Part part =
+      rtl::unit_part(design, design.default_format, "int_slabs", pipeline, rtl::FlowControl::stall);
+  expect(!rtl::manifest(part, library).dump().empty(), "a manifest is written");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace hitpipe::sim {
                                            const std::vector<std::vector<std::int64_t>>& vectors,
                                            const Traffic& traffic, std::uint64_t seed,
                                            std::uint64_t vector_seed) {
-  const Unit& unit = model.design().unit();
+  const rtl::Unit& unit = model.design().unit();
   return drive(model, TestBatch(vectors, unit.design->evaluate(unit.format)),
                {.traffic = traffic, .seed = seed, .tag_step = 40'503, .vector_seed = vector_seed});
 }

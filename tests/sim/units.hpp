@@ -83,7 +83,7 @@ inline void PrintTo(const TestedUnit& unit, std::ostream* out) {
 }
 
 /// With `good` in its Verilog replaced by `bad`.
-inline Unit damaged(Unit unit, const std::string& good, const std::string& bad) {
+inline rtl::Unit damaged(rtl::Unit unit, const std::string& good, const std::string& bad) {
   const std::size_t at = unit.verilog.find(good);
   EXPECT_NE(at, std::string::npos) << good;
   if (at != std::string::npos) unit.verilog.replace(at, good.size(), bad);
@@ -95,7 +95,8 @@ inline const VerilatedDesign& verilated(const TestedUnit& unit) {
   const std::string name = test_name(unit);
   const auto found = known.find(name);
   if (found != known.end()) return found->second;
-  return known.try_emplace(name, make_unit(unit.design(), unit.format, rtl::Library::thesis())).first->second;
+  return known.try_emplace(name, rtl::make_unit(unit.design(), unit.format, rtl::Library::thesis()))
+      .first->second;
 }
 
 }  // namespace hitpipe::sim

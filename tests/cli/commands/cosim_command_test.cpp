@@ -336,7 +336,7 @@ exec verilator "$@"
       {{"VERILATOR", verilator}});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err, "hitpipe: the Verilog did not answer a box test within its latency\n");
+  EXPECT_EQ(outcome.err, "hitpipe: int_slabs_12_12: no answer to a test within its latency\n");
 }
 
 /// Verilog that always misses: the counts are printed, then one line, and the exit code is not 0. Without a

@@ -43,9 +43,7 @@ TEST_F(RtlCommand, WritesAllFilesIntoAFreshFolder) {
   const rtl::Library& library = rtl::Library::thesis();
   const rtl::VectorSet vectors = sim::design_vectors(design, bits, sim::usual_vectors, sim::usual_seed);
   for (const rtl::File& file :
-       rtl::emit(design, bits, library, rtl::make_pipeline(design.trace(bits), library),
-                 {.vectors = &vectors})
-           .files()) {
+       rtl::emit(rtl::make_unit(design, bits, library), {.vectors = &vectors}).files()) {
     if (file.name == "int_slabs.json") continue;  // it also lists the pictures
     EXPECT_EQ(contents_of(out_ / file.name), file.contents) << file.name;
   }

@@ -42,8 +42,12 @@ struct DesignFormat {
   [[nodiscard]] Pipeline pipeline() const {
     return make_pipeline(found().trace(parsed()), Library::thesis());
   }
-  [[nodiscard]] EmittedDesign emitted(const EmitOptions& options = {}) const {
-    return emit(found(), parsed(), Library::thesis(), pipeline(), options);
+  [[nodiscard]] Unit unit(const UnitOptions& options = {}) const {
+    return make_unit(found(), parsed(), Library::thesis(), options);
+  }
+  [[nodiscard]] EmittedDesign emitted(const EmitOptions& options = {},
+                                      const UnitOptions& of_unit = {}) const {
+    return emit(unit(of_unit), options);
   }
   /// Of the whole unit.
   [[nodiscard]] ModuleInterface interface(FlowControl flow = FlowControl::stall) const {

@@ -35,10 +35,9 @@ std::vector<EmittedDesign> every_wrapping(int interval) {
       for (const bool slots : {false, true})
         for (const bool axi_stream : {false, true}) {
           if (fifo && flow == FlowControl::stall) continue;  // emit() refuses it
-          EmittedDesign unit = emit(design, format, Library::thesis(), pipeline,
-                                    {.module = "unit",
-                                     .flow_control = flow,
-                                     .axi_stream = axi_stream,
+          EmittedDesign unit = emit(make_unit(design, format, Library::thesis(), pipeline,
+                                              {.module = "unit", .flow_control = flow}),
+                                    {.axi_stream = axi_stream,
                                      .fifo = fifo,
                                      .ray_slots = slots ? std::optional(RaySlots::fewest) : std::nullopt});
           std::string verilog;

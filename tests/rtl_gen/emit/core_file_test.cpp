@@ -50,12 +50,10 @@ class CoreFile : public testing::Test {
   /// Fitted to demands that include a fixed origin.
   void write_fitted() {
     const Graph traced = d.found().trace(d.parsed());
-    const std::vector<Port> ports = input_ports(traced);
     const Demands demands = demand_sets(d.found(), d.parsed()).back().demands;
-    const Pruned pruned = prune(traced, demands, {.shares = false});
-    const PrunedFrom from{ports, demands, pruned.report};
-    write(emit(d.found(), d.parsed(), Library::thesis(), make_pipeline(pruned.graph, Library::thesis()),
-               {.pruned_from = &from}));
+    Pruned pruned = prune(traced, demands, {.shares = false});
+    write(emit(make_unit(d.found(), d.parsed(), Library::thesis(),
+                         make_pipeline(pruned.graph, Library::thesis()), demands, std::move(pruned.report))));
   }
 
   /// Copies a target's files to a work folder of its own, where FuseSoC would put them. Returns the Verilog.
@@ -134,8 +132,7 @@ TEST_F(CoreFile, TargetsWithTheWrapperHaveItAsTheirTop) {
 TEST_F(CoreFile, SynthesisIsWhatTheLibrarySays) {
   for (const std::string& name : built_in_names()) {
     const Library library = library_called(name);
-    write(emit(d.found(), d.parsed(), library, make_pipeline(d.found().trace(d.parsed()), library),
-               {.axi_stream = true}));
+    write(emit(make_unit(d.found(), d.parsed(), library), {.axi_stream = true}));
     EXPECT_EQ(core.at("targets").size(), 5 + library.synthesis_targets().size()) << name;
     for (const SynthesisTarget& target : library.synthesis_targets()) {
       const Json& written = core.at("targets").at(target.name);

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
         std::replace(folder.begin(), folder.end(), '/', '_');
         const Pipeline pipeline = make_pipeline(design.trace(format), Library::thesis());
         std::vector<File> files =
-            emit(design, format, Library::thesis(), pipeline, {.axi_stream = true}).files();
+            emit(make_unit(design, format, Library::thesis(), pipeline), {.axi_stream = true}).files();
         // The graph as recorded, before canonical() puts it in order. Compilers may differ here.
         files.push_back({"recorded.txt", to_text(design.trace(format))});
         hitpipe::host::write_files(std::filesystem::path(argv[1]) / std::string(design.name) / folder, files);

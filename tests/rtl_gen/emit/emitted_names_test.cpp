@@ -107,10 +107,12 @@ TEST(EmittedNames, OfWrappersAndTestbenches) {
       for (const FlowControl flow : {FlowControl::stall, FlowControl::none}) {
         for (const bool slots : {false, true}) {
           if (slots && !has_rays) continue;
-          EmitOptions options{.flow_control = flow, .axi_stream = true, .fifo = flow == FlowControl::none};
+          EmitOptions options{.axi_stream = true, .fifo = flow == FlowControl::none};
           if (slots) options.ray_slots = 8;
-          files +=
-              expect_good_names(emit(d.found(), d.parsed(), Library::thesis(), pipeline, options).files());
+          files += expect_good_names(
+              emit(make_unit(d.found(), d.parsed(), Library::thesis(), pipeline, {.flow_control = flow}),
+                   options)
+                  .files());
         }
       }
     }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "host/text.hpp"
 #include "rtl_gen/emit/manifest.hpp"
@@ -30,7 +31,7 @@ std::vector<std::string> names_of(const std::vector<File>& files) {
 TEST(Emit, PutsInEveryPartWhatItIs) {
   const EmittedDesign d = DesignFormat{"int_slabs", "20/24"}.emitted({.axi_stream = true});
   EXPECT_NE(d.verilog.contents.find("module int_slabs #("), std::string::npos);
-  EXPECT_EQ(head_of(d.manifest_file().contents).design, "int_slabs");
+  EXPECT_EQ(head_of(d.manifest->dump()).design, "int_slabs");
   EXPECT_TRUE(d.core.contents.starts_with("CAPI=2:"));
   for (const File& each : d.schematics) EXPECT_TRUE(each.contents.starts_with("digraph"));
   EXPECT_NE(d.testbench.contents.find("module int_slabs_tb;"), std::string::npos);
@@ -77,7 +78,7 @@ TEST(Emit, NamesEverythingAfterTheModule) {
   const DesignFormat d{"int_slabs", "16/16"};
   for (const std::string module : {"", "box_test"}) {
     const std::string name = module.empty() ? "int_slabs_16_16" : module;
-    const EmittedDesign unit = d.emitted({.module = module, .axi_stream = true, .hls = true});
+    const EmittedDesign unit = d.emitted({.axi_stream = true, .hls = true}, {.module = module});
     EXPECT_EQ(unit.module, name);
     const std::regex defined("\nmodule ([a-z0-9_]+)");
     for (const File& file : unit.files()) {
@@ -87,8 +88,8 @@ TEST(Emit, NamesEverythingAfterTheModule) {
            at != std::sregex_iterator(); ++at)
         EXPECT_TRUE((*at)[1].str().starts_with(name)) << file.name << " " << (*at)[1];
     }
-    EXPECT_EQ(head_of(unit.manifest_file().contents).module, name);
-    EXPECT_EQ(head_of(unit.manifest_file().contents).design, "int_slabs");
+    EXPECT_EQ(head_of(unit.manifest->dump()).module, name);
+    EXPECT_EQ(head_of(unit.manifest->dump()).design, "int_slabs");
   }
 }
 
@@ -105,7 +106,7 @@ TEST(Emit, NameThatIsNoneRejected) {
   EXPECT_EQ(message("logic"), "name logic: is a keyword of Verilog; take another");
   EXPECT_EQ(message("co_await"), "name co_await: is a keyword of C++; take another");
   EXPECT_EQ(message_of([] {
-              return DesignFormat{"int_slabs", "20/24"}.emitted({.module = "wire"});
+              return DesignFormat{"int_slabs", "20/24"}.emitted({}, {.module = "wire"});
             }),
             "name wire: is a keyword of Verilog; take another");
 }

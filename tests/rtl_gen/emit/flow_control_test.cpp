@@ -20,10 +20,15 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
+/// With the list of files.
+std::string written_manifest(const EmittedDesign& unit) {
+  return unit.files()[1].contents;
+}
+
 class WithoutFlowControl : public testing::TestWithParam<DesignFormat> {
  protected:
   void SetUp() override {
-    unit = GetParam().emitted({.flow_control = FlowControl::none, .axi_stream = true, .fifo = true});
+    unit = GetParam().emitted({.axi_stream = true, .fifo = true}, {.flow_control = FlowControl::none});
     host::write_files(folder.path(), unit.files());
   }
 
@@ -55,7 +60,7 @@ TEST_P(WithoutFlowControl, TheManifestSaysSo) {
   const Json& stalls = *with_stalls.manifest;
   EXPECT_EQ(stalls.at("flow_control"), "stall");
   EXPECT_EQ(json.at("flow_control"), "none");
-  EXPECT_EQ(head_of(unit.manifest_file().contents).flow_control, FlowControl::none);
+  EXPECT_EQ(head_of(written_manifest(unit)).flow_control, FlowControl::none);
   EXPECT_EQ(json.at("by_stage"), stalls.at("by_stage"));
   const Json& fifo = json.at("result_fifo");
   EXPECT_EQ(fifo.at("ports"), stalls.at("ports")) << "the wrapper has the ports of a unit that stalls";
@@ -67,7 +72,7 @@ TEST_P(WithoutFlowControl, TheManifestSaysSo) {
   });
   EXPECT_EQ(json.at("ports"), without);
   for (const char* const file : {"_fifo.v", "_axis.v"})
-    EXPECT_THAT(head_of(unit.manifest_file().contents).files, testing::Contains(unit.module + file));
+    EXPECT_THAT(head_of(written_manifest(unit)).files, testing::Contains(unit.module + file));
 }
 
 TEST(LintWithoutFlowControl, IsSilent) {
@@ -75,7 +80,7 @@ TEST(LintWithoutFlowControl, IsSilent) {
   std::vector<std::vector<std::string>> modules;
   for (const DesignFormat& d : every_small_design()) {
     const EmittedDesign unit =
-        d.emitted({.flow_control = FlowControl::none, .axi_stream = true, .fifo = true});
+        d.emitted({.axi_stream = true, .fifo = true}, {.flow_control = FlowControl::none});
     host::write_files(folder.path(), unit.files());
     modules.push_back({unit.module + "_axis", unit.module + "_fifo", unit.module});
   }
@@ -88,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Designs, WithoutFlowControl, testing::ValuesIn(every_sm
 std::string verdict_on(const std::string& good, const std::string& bad) {
   const ScratchFolder folder;
   const EmittedDesign unit =
-      DesignFormat{"int_slabs", "6/6"}.emitted({.module = "unit", .flow_control = FlowControl::none});
+      DesignFormat{"int_slabs", "6/6"}.emitted({}, {.module = "unit", .flow_control = FlowControl::none});
   host::write_files(folder.path(), unit.files());
   damage(folder / "unit.v", good, bad);
   const ToolResult result = run_tool(folder.path(), "make", "make", "-s -C tb icarus");
@@ -135,7 +140,8 @@ TEST(ResultFifo, DamagedOnesFail) {
                  {"out_valid = waits | arrives", "out_valid = out_ready & (waits | arrives)", 1},
                  {"assign in_ready = used", "assign in_ready = out_ready & used", 1},
                  {".in_valid(taken)", ".in_valid(in_valid)", 2}};
-  const std::vector<File> files = d.emitted({.flow_control = FlowControl::none, .axi_stream = true}).files();
+  const std::vector<File> files =
+      d.emitted({.axi_stream = true}, {.flow_control = FlowControl::none}).files();
   const ScratchFolder folder;
   const auto bench_of = [&](const char* good, const char* bad) {
     host::write_files(folder.path(), files);
@@ -187,10 +193,10 @@ TEST(FlowControlOfAManifest, UnknownOneRejected) {
 
 TEST(FlowControlInTheCore, WrappersAreItsTops) {
   const DesignFormat d{"int_slabs", "20/24"};
-  const std::string fifo = d.emitted({.flow_control = FlowControl::none, .fifo = true}).core.contents;
+  const std::string fifo = d.emitted({.fifo = true}, {.flow_control = FlowControl::none}).core.contents;
   EXPECT_THAT(fifo, HasSubstr("  fifo:\n    files: [int_slabs_fifo.v]\n"));
   EXPECT_THAT(fifo, HasSubstr("filesets: [rtl, fifo]\n    toplevel: int_slabs_fifo\n"));
-  const std::string axis = d.emitted({.flow_control = FlowControl::none, .axi_stream = true}).core.contents;
+  const std::string axis = d.emitted({.axi_stream = true}, {.flow_control = FlowControl::none}).core.contents;
   EXPECT_THAT(axis, HasSubstr("filesets: [rtl, fifo, axis]\n    toplevel: int_slabs_axis\n"));
   EXPECT_THAT(d.emitted({.axi_stream = true}).core.contents,
               HasSubstr("filesets: [rtl, axis]\n    toplevel: int_slabs_axis\n"));

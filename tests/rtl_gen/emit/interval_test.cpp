@@ -19,7 +19,8 @@
 namespace hitpipe::rtl::interval_test {
 namespace {
 
-EmittedDesign emitted(const DesignFormat& d, int interval, EmitOptions options) {
+EmittedDesign emitted(const DesignFormat& d, int interval, FlowControl flow, EmitOptions options = {},
+                      const std::string& module = "unit") {
   const VectorSet vectors = few_vectors(d);
   options.vectors = &vectors;
   static std::map<std::tuple<std::string, std::string, int>, std::optional<Pipeline>>
@@ -27,10 +28,9 @@ EmittedDesign emitted(const DesignFormat& d, int interval, EmitOptions options) 
   std::optional<Pipeline>& pipeline = made[{d.design, d.format, interval}];
   if (!pipeline)
     pipeline = make_pipeline(d.found().trace(d.parsed()), Library::thesis(), std::nullopt, interval);
-  return emit(d.found(), d.parsed(), Library::thesis(), *pipeline, options);
-}
-EmittedDesign emitted(const DesignFormat& d, int interval, FlowControl flow) {
-  return emitted(d, interval, {.module = "unit", .flow_control = flow});
+  return emit(make_unit(d.found(), d.parsed(), Library::thesis(), *pipeline,
+                        {.module = module, .flow_control = flow}),
+              options);
 }
 
 ToolResult replayed(const EmittedDesign& unit) {
@@ -45,8 +45,7 @@ TEST_P(EveryFewCycles, IsLintCleanAndPasses) {
   const ScratchFolder folder;
   std::vector<std::vector<std::string>> modules;
   for (const auto& [interval, flow] : {std::pair{2, FlowControl::none}, {3, FlowControl::stall}}) {
-    const EmittedDesign unit =
-        emitted(GetParam(), interval, {.module = fmt::format("unit_{}", interval), .flow_control = flow});
+    const EmittedDesign unit = emitted(GetParam(), interval, flow, {}, fmt::format("unit_{}", interval));
     host::write_files(folder.path(), unit.files());
     modules.push_back({unit.module});
   }
@@ -58,7 +57,7 @@ TEST_P(EveryFewCycles, IsLintCleanAndPasses) {
 TEST_P(EveryFewCycles, TheStreamAnswersUnderEveryPatternOfStalls) {
   constexpr int interval = 3;
   for (const FlowControl flow : {FlowControl::stall, FlowControl::none}) {
-    const EmittedDesign unit = emitted(GetParam(), interval, {.flow_control = flow, .axi_stream = true});
+    const EmittedDesign unit = emitted(GetParam(), interval, flow, {.axi_stream = true}, "");
     const ScratchFolder folder;
     host::write_files(folder.path(), unit.files());
     std::vector<std::string> modules{unit.module + "_axis", unit.module};
@@ -74,8 +73,7 @@ TEST_P(EveryFewCycles, TheStreamAnswersUnderEveryPatternOfStalls) {
 /// As many as can be in flight, and one more.
 TEST_P(EveryFewCycles, TheFifoHasNoMorePlacesThanItNeeds) {
   for (const int interval : {1, 3, 7, 64}) {
-    const EmittedDesign unit =
-        emitted(GetParam(), interval, {.flow_control = FlowControl::none, .fifo = true});
+    const EmittedDesign unit = emitted(GetParam(), interval, FlowControl::none, {.fifo = true});
     const int latency = unit.manifest->at("latency").get<int>();
     EXPECT_EQ(unit.manifest->at("result_fifo").at("places"), latency / interval + 2) << interval;
   }

@@ -12,7 +12,7 @@ namespace hitpipe::rtl::manifest_test {
 namespace {
 
 Json manifest_of(const DesignFormat& d) {
-  return manifest(d.found(), d.parsed(), d.interface(), d.pipeline(), Library::thesis());
+  return manifest(d.unit(), Library::thesis());
 }
 
 TEST(Manifest, NamesTheDesignItsConventionsAndItsPorts) {

@@ -25,7 +25,7 @@ class SeveralResults : public testing::Test {
   void write(const Format& at) const {
     const Pipeline pipeline = make_pipeline(design.trace(at), Library::thesis());
     host::write_files(folder.path(),
-                      emit(design, at, Library::thesis(), pipeline, {.axi_stream = true}).files());
+                      emit(make_unit(design, at, Library::thesis(), pipeline), {.axi_stream = true}).files());
   }
   [[nodiscard]] std::string replayed() const {
     const ToolResult compiled =

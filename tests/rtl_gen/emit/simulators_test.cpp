@@ -26,7 +26,7 @@ const std::filesystem::path& unit_folder() {
     const Design design = two_boxes();
     const Pipeline pipeline = make_pipeline(design.trace(design.default_format), Library::thesis());
     host::write_files(folder.path(),
-                      emit(design, design.default_format, Library::thesis(), pipeline).files());
+                      emit(make_unit(design, design.default_format, Library::thesis(), pipeline)).files());
     return true;
   }();
   static_cast<void>(written);

@@ -14,13 +14,12 @@ namespace {
 TEST(TagBits, OfZeroAreAcceptedByEveryTool) {
   const ScratchFolder folder;
   const DesignFormat d{"int_slabs", "12/12"};
-  const auto write = [&](const EmitOptions& options) {
-    host::write_files(folder.path(),
-                      emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), options).files());
+  const auto write = [&](const UnitOptions& of_unit, const EmitOptions& options) {
+    host::write_files(folder.path(), d.emitted(options, of_unit).files());
   };
-  write({.module = "unit", .axi_stream = true});
-  write({.module = "still", .flow_control = FlowControl::none, .fifo = true});
-  write({.module = "kept", .ray_slots = 8});
+  write({.module = "unit"}, {.axi_stream = true});
+  write({.module = "still", .flow_control = FlowControl::none}, {.fifo = true});
+  write({.module = "kept"}, {.ray_slots = 8});
   const auto accepted = [&](const std::string& top, const std::string& files) {
     const auto silent = [&](const std::string& program, const std::string& arguments) {
       const ToolResult result = run_tool(folder.path(), program, program, arguments);

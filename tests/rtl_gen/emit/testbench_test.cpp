@@ -78,7 +78,7 @@ TEST(Testbench, LostDoubledAndMixedTestsFail) {
       {"tag_s1 <= tag_s0", "tag_s1 <= in_tag", "FAIL"}};
   const ScratchFolder folder;
   for (const auto& [good, bad, verdict] : damages) {
-    write(folder, DesignFormat{"int_slabs", "6/6"}.emitted({.module = "int_slabs"}));
+    write(folder, DesignFormat{"int_slabs", "6/6"}.emitted({}, {.module = "int_slabs"}));
     damage(folder / "int_slabs.v", good, bad);
     EXPECT_TRUE(replayed(folder, "int_slabs").starts_with(verdict)) << bad;
   }

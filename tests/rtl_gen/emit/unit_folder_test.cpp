@@ -17,16 +17,13 @@ namespace fs = std::filesystem;
 using testing::Contains;
 using testing::Not;
 
-EmittedDesign unit(const DesignFormat& d, const EmitOptions& options = {}) {
-  return emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), options);
-}
-
 class UnitFolder : public testing::Test {
  protected:
   UnitFolder() { fs::create_directory(folder); }
 
-  UnitFiles write(const DesignFormat& d, const EmitOptions& options = {}) const {
-    return write_unit(folder, unit(d, options));
+  UnitFiles write(const DesignFormat& d, const EmitOptions& options = {},
+                  const UnitOptions& of_unit = {}) const {
+    return write_unit(folder, d.emitted(options, of_unit));
   }
   [[nodiscard]] bool has(const std::string& name) const { return fs::exists(folder / name); }
   /// Adds a name to the list of a manifest.
@@ -64,9 +61,9 @@ TEST_F(UnitFolder, WrittenAgainHasOnlyWhatIsAskedFor) {
 }
 
 TEST_F(UnitFolder, AnotherDesignUnderTheSameNameLeavesNothingOfTheFirst) {
-  write({"int_slabs", "12/12"}, {.module = "box_test"});
+  write({"int_slabs", "12/12"}, {}, {.module = "box_test"});
   EXPECT_TRUE(has("box_test_stages_2-3.dot"));
-  write({"fp_slabs", "fp32"}, {.module = "box_test"});
+  write({"fp_slabs", "fp32"}, {}, {.module = "box_test"});
   EXPECT_FALSE(has("box_test_stages_2-3.dot"));
   EXPECT_FALSE(has("box_test_stages_2-3.svg"));
   EXPECT_TRUE(has("box_test_stages_8-12.dot"));
@@ -132,7 +129,7 @@ TEST_F(UnitFolder, WithoutGraphvizAllButThePicturesAreWritten) {
   const sim::EnvironmentValue path("PATH", "/nowhere");
   const UnitFiles written = write({"int_slabs", "6/6"});
   EXPECT_FALSE(written.drawn);
-  EXPECT_EQ(written.files.size(), unit({"int_slabs", "6/6"}).files().size());
+  EXPECT_EQ(written.files.size(), (DesignFormat{"int_slabs", "6/6"}.emitted().files().size()));
   EXPECT_TRUE(has("int_slabs_6_6_stage_1.dot"));
   EXPECT_FALSE(has("int_slabs_6_6_stage_1.svg")) << "the old picture";
   EXPECT_THAT(head_of(read_text(folder / "int_slabs_6_6.json")).files,

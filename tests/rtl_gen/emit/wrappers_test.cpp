@@ -28,14 +28,9 @@ struct Choice {
 };
 
 EmittedDesign emitted(const DesignFormat& d, const Choice& choice) {
-  const Design& design = d.found();
-  const Graph traced = design.trace(d.parsed());
   const VectorSet vectors = few_vectors(d);
-  return emit(design, d.parsed(), Library::thesis(),
-              make_pipeline(traced, Library::thesis(), std::nullopt, choice.interval),
-              {.module = "unit",
-               .flow_control = choice.flow,
-               .axi_stream = choice.axi_stream,
+  return emit(d.unit({.module = "unit", .flow_control = choice.flow, .interval = choice.interval}),
+              {.axi_stream = choice.axi_stream,
                .fifo = choice.fifo,
                .ray_slots = choice.slots ? std::optional(RaySlots::fewest) : std::nullopt,
                .vectors = choice.few ? &vectors : nullptr});

@@ -205,9 +205,9 @@ TEST(DemandFields, AreInTheManifestAndComeBack) {
   const Demands demands{{{"rinf", {{1, 1}}}, {"iry", {{-9, -1}, {1, 9}}}, {"izmin", {{-64, 64}}, 4}},
                         {{"ixmin", "ixmax"}}};
   const Pruned pruned = prune(design.trace(hls::IntBits{20, 24}), demands);
-  const Pipeline pipeline = make_pipeline(pruned.graph, Library::thesis());
-  Json json = manifest(design, hls::IntBits{20, 24}, DesignFormat{"int_slabs", "20/24"}.interface(), pipeline,
-                       Library::thesis());
+  const Library& library = Library::thesis();
+  Json json = manifest(make_unit(design, hls::IntBits{20, 24}, library, make_pipeline(pruned.graph, library)),
+                       library);
   const Json plain = json;
   add_demands(json, {}, {});
   EXPECT_EQ(json, plain);

@@ -85,7 +85,7 @@ class ChipUnit : public testing::TestWithParam<std::pair<const char*, DesignForm
     const auto& [name, unit] = GetParam();
     const Library library = library_called(name);
     const Pipeline pipeline = make_pipeline(unit.found().trace(unit.parsed()), library);
-    host::write_files(folder.path(), emit(unit.found(), unit.parsed(), library, pipeline).files());
+    host::write_files(folder.path(), emit(make_unit(unit.found(), unit.parsed(), library, pipeline)).files());
   }
   const std::string module = GetParam().second.module();
   ScratchFolder folder;
@@ -144,7 +144,7 @@ TEST(ChipClock, ALongerOneTakesStagesOutOfFloatOperatorsAndAnswersAlike) {
   };
   EXPECT_LT(2 * registers(slow), registers(quick));
   const ScratchFolder folder;
-  host::write_files(folder.path(), emit(unit.found(), unit.parsed(), library, slow).files());
+  host::write_files(folder.path(), emit(make_unit(unit.found(), unit.parsed(), library, slow)).files());
   const std::string module = unit.module();
   const ToolResult compiled = run_tool(folder.path(), "iverilog", "iverilog",
                                        "-g2012 -Wall -o tb.vvp tb/" + module + "_tb.sv " + module + ".v");

@@ -15,9 +15,7 @@ TEST(Lint, EveryDesignIsSilent) {
   std::vector<std::vector<std::string>> modules;
   std::string benches;
   for (const DesignFormat& d : every_design()) {
-    host::write_files(
-        folder.path(),
-        emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), {.module = d.module()}).files());
+    host::write_files(folder.path(), d.emitted().files());
     modules.push_back({d.module()});
     benches += " tb/" + d.module() + "_tb.sv " + d.module() + ".v";
   }
@@ -36,7 +34,8 @@ class LintOfADamagedDesign : public testing::Test {
   void damage(const std::string& good, const std::string& bad) {
     const Pipeline pipeline = int_slabs_pipeline(hls::IntBits{6, 6});
     std::string text =
-        emit(find_design("int_slabs"), hls::IntBits{6, 6}, Library::thesis(), pipeline).verilog.contents;
+        emit(make_unit(find_design("int_slabs"), hls::IntBits{6, 6}, Library::thesis(), pipeline))
+            .verilog.contents;
     const std::size_t at = text.find(good);
     ASSERT_NE(at, std::string::npos);
     write_text(folder / "int_slabs_6_6.v", text.replace(at, good.size(), bad));

@@ -211,7 +211,7 @@ TEST(Verilog, NamesASourceOutsideTheProjectWithoutItsMachine) {
 
 TEST(Verilog, PortsSayWhatTheyAre) {
   const DesignFormat d{"int_major_pair", "20+1/13"};
-  const std::string text = emit(d.found(), d.parsed(), Library::thesis(), d.pipeline()).verilog.contents;
+  const std::string text = d.emitted().verilog.contents;
   for (const char* line :
        {"  input  wire major_y,  // 1: the major axis, y; flag\n",
         "  input  wire signed [20:0] origin_m,  // origin of the ray; integer, -524287..524286\n",
@@ -246,9 +246,7 @@ TEST(Verilog, APortWithFewerBitsSaysNoRange) {
 
 class EmittedFiles : public testing::TestWithParam<DesignFormat> {
  protected:
-  [[nodiscard]] static EmittedDesign emitted() {
-    return emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline());
-  }
+  [[nodiscard]] static EmittedDesign emitted() { return GetParam().emitted(); }
 };
 
 TEST_P(EmittedFiles, AreTheSameEachTime) {

@@ -15,9 +15,7 @@ class Synth : public testing::TestWithParam<DesignFormat> {};
 TEST_P(Synth, YosysMapsItToGates) {
   const std::string design = GetParam().module();
   const ScratchFolder folder;
-  host::write_files(
-      folder.path(),
-      emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline()).files());
+  host::write_files(folder.path(), GetParam().emitted().files());
   const ToolResult result = run_tool(folder.path(), "yosys", "yosys",
                                      "-q -p 'read_verilog " + design + ".v; synth -noabc -top " + design +
                                          "; check -assert; select -assert-none t:$* t:$_* %d; "

@@ -41,7 +41,7 @@ TEST_P(Together, VerilatorAndYosysAreSilent) {
   std::vector<std::vector<int>> widths;
   std::string files = "both.v";
   for (const DesignFormat& d : {GetParam().first, GetParam().second}) {
-    units.push_back(emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), {.axi_stream = true}));
+    units.push_back(d.emitted({.axi_stream = true}));
     host::write_files(folder.path(), units.back().files());
     widths.push_back(
         {stream_bits(d.found().ports(d.parsed())), stream_bits(result_ports(d.found().results(d.parsed())))});

@@ -253,7 +253,7 @@ exec {} "$@"
 )",
                                                 real == nullptr ? "verilator" : real));
   const EnvironmentValue verilator("VERILATOR", folder.path() / "verilator");
-  return VerilatedDesign(make_unit(unit.design(), unit.format, rtl::Library::thesis()));
+  return VerilatedDesign(rtl::make_unit(unit.design(), unit.format, rtl::Library::thesis()));
 }
 
 CategoryResult judged_with(const TestedUnit& unit, const VerilatedDesign& rtl, int threads,

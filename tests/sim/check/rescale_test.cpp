@@ -48,7 +48,7 @@ TEST(Rescale, PowersOfTwoMoveNoBit) {
 TEST(Rescale, PowersOfTwoMoveNoBitThroughTheVerilog) {
   const ref::SceneDescription scene = ref::make_built_in("spheres", {});
   const rtl::Design& design = rtl::find_design("int_slabs");
-  const VerilatedDesign verilated(make_unit(design, hls::IntBits{20, 24}, rtl::Library::thesis()));
+  const VerilatedDesign verilated(rtl::make_unit(design, hls::IntBits{20, 24}, rtl::Library::thesis()));
   PictureOptions options = small;
   options.verilated = &verilated;
   const Picture original = picture(scene, small);

@@ -63,7 +63,7 @@ class CosimOfScene {
   [[nodiscard]] CosimResult run(hls::IntBits bits, const CosimOptions& options,
                                 const rtl::Design& design = int_slabs()) const {
     if (&design == &int_slabs()) return cosimulate(verilated(bits), scene_, bvh_, options);
-    return cosimulate(VerilatedDesign(make_unit(design, bits, rtl::Library::thesis())), scene_, bvh_,
+    return cosimulate(VerilatedDesign(rtl::make_unit(design, bits, rtl::Library::thesis())), scene_, bvh_,
                       options);
   }
   [[nodiscard]] ref::RenderResult software(int width, int height) const {

@@ -25,7 +25,7 @@ constexpr std::uint64_t seed = 74;
 
 /// The design with its Verilog edited by a sed command. Fails when the command changes nothing.
 VerilatedDesign edited(const std::string& sed) {
-  Unit unit = make_unit(int_slabs(), damaged_bits, rtl::Library::thesis());
+  rtl::Unit unit = rtl::make_unit(int_slabs(), damaged_bits, rtl::Library::thesis());
   const std::string whole = unit.verilog;
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.write("int_slabs.v", whole);
@@ -133,7 +133,7 @@ TEST(DamagedVerilog, PipelineThatTakesNothingIsRejected) {
   const VerilatedDesign design = edited("s/assign in_ready = .*;/assign in_ready = 0;/");
   EXPECT_EQ(driven(design).lost, 20'000U);
   EXPECT_EQ(message_of<std::runtime_error>([&] { traced(design); }),
-            "the Verilog did not answer a box test within its latency");
+            "int_slabs_12_12: no answer to a test within its latency");
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ const std::vector<rtl::Port>& ports() {
   return all;
 }
 
-Unit whole() {
-  return make_unit(int_slabs(), narrow, rtl::Library::thesis(), rtl::FlowControl::none);
+rtl::Unit whole() {
+  return rtl::make_unit(int_slabs(), narrow, rtl::Library::thesis(),
+                        {.flow_control = rtl::FlowControl::none});
 }
 
 /// int_slabs 12/12 without flow control, with `good` in its Verilog replaced.
@@ -94,7 +95,8 @@ TEST(WithoutFlowControl, RaySlotsAnswerAsTheBareUnit) {
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const CosimOptions options{.width = 20, .height = 15, .threads = 1, .referee = true};
   const CosimResult bare = cosimulate(VerilatedDesign(whole()), scene, bvh, options);
-  const CosimResult slots = cosimulate(VerilatedDesign(behind_ray_slots(whole(), 32)), scene, bvh, options);
+  const CosimResult slots =
+      cosimulate(VerilatedDesign(rtl::behind_ray_slots(whole(), 32)), scene, bvh, options);
   EXPECT_EQ(slots.unit.hits, bare.unit.hits);
   EXPECT_EQ(slots.triangles, bare.triangles);
   EXPECT_EQ(slots.unit.rtl_mismatches, 0U);
@@ -104,13 +106,9 @@ TEST(WithoutFlowControl, RaySlotsAnswerAsTheBareUnit) {
 
 /// The unit behind its result FIFO has the pins of a unit that stalls.
 TEST(ResultFifo, LosesNothingWhateverTheConsumerDoes) {
-  Unit behind_fifo = whole();
-  behind_fifo.verilog += rtl::result_fifo(
-      rtl::unit_interface(behind_fifo.module, ports(), rtl::result_ports(int_slabs().results(narrow)),
-                          behind_fifo.flow_control),
-      behind_fifo.pipeline.latency());
-  behind_fifo.module = rtl::fifo_module(behind_fifo.module);
-  behind_fifo.flow_control = rtl::FlowControl::stall;
+  rtl::Unit behind_fifo = whole();
+  behind_fifo.verilog += rtl::result_fifo(behind_fifo.interface, behind_fifo.pipeline->latency());
+  behind_fifo.interface = rtl::fifo_interface(behind_fifo.interface);
   const VerilatedDesign design(behind_fifo);
   for (const Traffic& traffic :
        {Traffic{"full", 1.0, 1.0}, Traffic{"gaps and stalls", 0.7, 0.7}, Traffic{"stalls", 1.0, 0.6},

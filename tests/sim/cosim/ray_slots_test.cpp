@@ -22,8 +22,8 @@ const TestedUnit pair{"int_major_pair", hls::MajorBits{12, 1, 12, 0}};
 /// With `good` in its Verilog replaced by `bad`.
 VerilatedDesign behind_slots(const TestedUnit& tested, int slots, const std::string& good = "",
                              const std::string& bad = "") {
-  const Unit unit = make_unit(tested.design(), tested.format, rtl::Library::thesis());
-  return VerilatedDesign(damaged(behind_ray_slots(unit, slots), good, bad));
+  const rtl::Unit unit = rtl::make_unit(tested.design(), tested.format, rtl::Library::thesis());
+  return VerilatedDesign(damaged(rtl::behind_ray_slots(unit, slots), good, bad));
 }
 
 std::vector<std::vector<std::int64_t>> vectors_of(const TestedUnit& unit) {
@@ -88,10 +88,8 @@ INSTANTIATE_TEST_SUITE_P(Units, RaySlotsOf, testing::Values(slabs, pair),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 TEST(RaySlots, BeforeAUnitThatTakesATestEveryFewCycles) {
-  const VerilatedDesign design(
-      behind_ray_slots(make_unit(slabs.design(), slabs.format, rtl::Library::thesis(),
-                                 rtl::FlowControl::stall, /*interval=*/3),
-                       few_slots));
+  const VerilatedDesign design(rtl::behind_ray_slots(
+      rtl::make_unit(slabs.design(), slabs.format, rtl::Library::thesis(), {.interval = 3}), few_slots));
   const SlotReport report = driven(slabs, design, 5000);
   EXPECT_EQ(report.received, 5000U);
   EXPECT_EQ(report.faults(), 0U);

@@ -9,6 +9,7 @@
 
 #include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/trace/slabs.hpp"
+#include "sw_ref/trace/traversal.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/units.hpp"
 

@@ -47,7 +47,7 @@ SlotReport slot_traffic(const VerilatedDesign& design, const rtl::Evaluate& eval
   std::uint16_t tag = 0;
   Numbers test;
   std::uint64_t cycles = 0;
-  const int interval = design.unit().pipeline.interval();
+  const int interval = design.unit().pipeline->interval();
   for (; report.received < tests && cycles < 20 * tests + 1000; ++cycles) {
     RayPins rays;
     std::size_t from = 0;

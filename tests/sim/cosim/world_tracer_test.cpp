@@ -15,8 +15,8 @@ namespace {
 
 VerilatedDesign unit(const std::string& name, const std::string& bits, int interval = 1) {
   const rtl::Design& design = rtl::find_design(name);
-  return VerilatedDesign(make_unit(design, design.parse_format(bits), rtl::Library::thesis(),
-                                   rtl::FlowControl::stall, interval));
+  return VerilatedDesign(
+      rtl::make_unit(design, design.parse_format(bits), rtl::Library::thesis(), {.interval = interval}));
 }
 
 ref::RenderOptions options_of(const ref::IntSurfaces& surfaces) {

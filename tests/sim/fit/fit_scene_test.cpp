@@ -11,6 +11,7 @@
 
 #include "host/files.hpp"
 #include "rtl_gen/emit/licence.hpp"
+#include "sim/unit/unit_set_up.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/temporary_folder.hpp"
@@ -57,7 +58,7 @@ TEST_F(FitToScene, ProvesTheUnitAndWritesItsFiles) {
   EXPECT_GT(result.unit.saved_um2(), 0);
   for (std::size_t i = 1; i < result.unit.left_out.size(); ++i)
     EXPECT_GE(result.unit.left_out[i - 1].area_um2, result.unit.left_out[i].area_um2);
-  const Unit read = read_unit(folder_.path() / "int_slabs", design, library);
+  const rtl::Unit read = rtl::read_unit(folder_.path() / "int_slabs", design, library);
   EXPECT_EQ(read.verilog, rtl::with_licence({"u.v", result.unit.verilog}).contents);
   EXPECT_EQ(read.demands, result.unit.demands);
   EXPECT_EQ(steps_, (std::vector<std::string>{"building the hierarchy", "tracing the scene's rays",
@@ -83,7 +84,7 @@ TEST_F(FitToScene, MakesTheSmallestUnitThatTracesSoManyRays) {
   const auto rate = std::ranges::find(result.unit.left_out, "rate: a test every 3 cycles", &LeftOut::what);
   ASSERT_NE(rate, result.unit.left_out.end());
   EXPECT_GT(rate->area_um2, 0);
-  EXPECT_EQ(read_unit(folder_.path() / "int_slabs", design, library).pipeline.interval(), 3);
+  EXPECT_EQ(rtl::read_unit(folder_.path() / "int_slabs", design, library).interval(), 3);
   asked.rays_per_second = 2 * fastest.rays_per_second;
   EXPECT_THAT(message_of([&] {
                 (void)fit_to_scene(design, hls::IntBits{12, 12}, scene, asked, library);
@@ -177,17 +178,15 @@ TEST_F(FitToScene, OfASceneThatNoRayMeetsIsRefused) {
 TEST(WholeUnit, IsWhatIsWrittenOfTheDesign) {
   const rtl::Library& library = rtl::Library::thesis();
   const rtl::Design& design = rtl::find_design("int_slabs");
-  const Unit unit = make_unit(design, hls::IntBits{12, 12}, library);
+  const rtl::Unit unit = rtl::make_unit(design, hls::IntBits{12, 12}, library);
   EXPECT_TRUE(unit.demands.empty());
-  EXPECT_TRUE(unit.ends);
-  EXPECT_FALSE(unit.coarse.any());
+  EXPECT_TRUE(takes_ends(unit));
+  EXPECT_FALSE(coarse_axes(unit).any());
   const TemporaryFolder folder;
-  host::write_files(folder.path(), rtl::emit(design, hls::IntBits{12, 12}, library,
-                                             rtl::make_pipeline(design.trace(hls::IntBits{12, 12}), library))
-                                       .files());
-  const Unit read = read_unit(folder.path(), design, library);
+  host::write_files(folder.path(), rtl::emit(unit).files());
+  const rtl::Unit read = rtl::read_unit(folder.path(), design, library);
   EXPECT_EQ(read.verilog, rtl::with_licence({"u.v", unit.verilog}).contents);
-  EXPECT_EQ(read.pipeline.latency(), unit.pipeline.latency());
+  EXPECT_EQ(read.pipeline->latency(), unit.pipeline->latency());
 }
 
 }  // namespace

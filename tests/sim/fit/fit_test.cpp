@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "hls/box/fp_format.hpp"
 #include "hls/box/major_format.hpp"
@@ -15,6 +16,7 @@
 #include "sim/cosim/cosim.hpp"
 #include "sim/generic_tracer.hpp"
 #include "sim/software.hpp"
+#include "sim/unit/unit_set_up.hpp"
 #include "sim/unit/verilated_design.hpp"
 #include "tests/rtl_gen/tool.hpp"
 #include "tests/sw_ref/quantise/demand_scenes.hpp"
@@ -92,7 +94,7 @@ TEST(FittedRate, KeepsTheLowBitsDropped) {
   for (const int interval : {1, 3, 6, 12}) {
     const FittedUnit unit = fit(rtl::find_design("int_slabs"), coarse.format, coarse, world.demands,
                                 library(), {.interval = interval});
-    EXPECT_EQ(unit.coarse.dropped, coarse.coarse.dropped) << interval;
+    EXPECT_EQ(coarse_axes(unit).dropped, coarse.coarse.dropped) << interval;
   }
 }
 
@@ -181,7 +183,7 @@ TEST(FittedFloats, LoseSignsExponentBitsAndMirrors) {
   EXPECT_THAT(what_of(unit), HasSubstr("numbers of back_x that never come\n"));
   EXPECT_THAT(what_of(unit), HasSubstr("2 bits after the sign of rx, rx_up\n"));
   EXPECT_THAT(what_of(unit), HasSubstr("the sign and 2 bits after it of ymin, ymax\n"));
-  for (const rtl::Port& port : rtl::input_ports(unit.pipeline.graph))
+  for (const rtl::Port& port : rtl::input_ports(unit.pipeline->graph))
     EXPECT_THAT(port.name, testing::Not(testing::StartsWith("back_")));
 
   const CosimResult result = run(unit, world, world);
@@ -202,7 +204,7 @@ TEST_P(Endless, UnitIsSmallerAndTracesTheSame) {
   const FittedUnit unit =
       fit(design, format, Precision{.format = format, .ends = false}, world.demands, library());
   EXPECT_LT(unit.price.area_um2, with_ends.price.area_um2);
-  for (const rtl::Port& port : rtl::input_ports(unit.pipeline.graph)) {
+  for (const rtl::Port& port : rtl::input_ports(unit.pipeline->graph)) {
     EXPECT_NE(port.name, "rinf");
     EXPECT_NE(port.name, "irlen");
     EXPECT_NE(port.name, "rex");
@@ -232,15 +234,14 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
     }
     const rtl::Format format = software_of(design).fit_from.value_or(design.default_format);
     const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
-    const auto whole =
-        by_name(rtl::emit(design, format, library(), rtl::make_pipeline(design.trace(format), library())));
+    const auto whole = by_name(rtl::emit(rtl::make_unit(design, format, library())));
     if (format.is<hls::FpBits>()) {  // no scene needs the top exponent bits of coordinates
       for (const LeftOut& left : unit.left_out)
         EXPECT_THAT(left.what, testing::StartsWith("1 bit after the sign"));
       EXPECT_EQ(unit.left_out.size(), 6U);
       continue;
     }
-    EXPECT_EQ(by_name(fitted_files(unit, library())), whole) << design.name;
+    EXPECT_EQ(by_name(rtl::emit(unit)), whole) << design.name;
     EXPECT_EQ(unit.saved_um2(), 0) << design.name;
     EXPECT_TRUE(unit.left_out.empty()) << design.name;
   }
@@ -252,8 +253,8 @@ TEST(FittedFiles, ListTheDemandsAndCheckThem) {
   const Precision precision{.format = hls::IntBits{12, 12}, .coarse = {{0, 3, 1}}};
   const FittedUnit unit =
       fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, precision, world.demands, library());
-  const rtl::EmittedDesign emitted = fitted_files(unit, library());
-  EXPECT_EQ(rtl::demands_of_manifest(emitted.manifest_file().contents), unit.demands);
+  const rtl::EmittedDesign emitted = rtl::emit(unit);
+  EXPECT_EQ(rtl::demands_of_manifest(emitted.manifest->dump()), unit.demands);
   EXPECT_THAT(emitted.verilog.contents, HasSubstr("`ifdef HITPIPE_CHECK"));
   ASSERT_TRUE(emitted.check_module.has_value());
   EXPECT_EQ(emitted.check_module->name, "int_slabs_12_12_check.v");

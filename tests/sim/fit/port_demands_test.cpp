@@ -13,11 +13,12 @@
 #include <gtest/gtest.h>
 
 #include "hls/box/fp_format.hpp"
+#include "rtl_gen/part/unit.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/facts.hpp"
 #include "sim/fit/port_ranges.hpp"
 #include "sim/software.hpp"
-#include "sim/unit/unit.hpp"
+#include "sim/unit/unit_set_up.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"

@@ -24,7 +24,7 @@ class Vectors : public testing::Test {
   }
 
  private:
-  static Unit made() {
+  static rtl::Unit made() {
     const ref::Scene scene = ref::flat_hills();
     const ref::Bvh bvh = ref::build_bvh(scene.mesh);
     return fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, std::nullopt,
@@ -32,7 +32,7 @@ class Vectors : public testing::Test {
   }
 
  protected:
-  Unit unit_ = made();
+  rtl::Unit unit_ = made();
 };
 
 TEST_F(Vectors, AgreeAndHalfOfThemHit) {

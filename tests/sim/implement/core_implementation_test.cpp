@@ -25,7 +25,7 @@ const rtl::CoreOptions small{.bits = rtl::parse_bits<hls::RayBits>("8+0/4s8"),
 /// Of all machines.
 std::vector<hls::MemoryShape> memories_of(const rtl::Core& core) {
   std::vector<hls::MemoryShape> memories;
-  for (const rtl::CorePart& part : core.parts)
+  for (const rtl::Part& part : core.parts)
     if (part.graph) memories.insert(memories.end(), part.graph->memories.begin(), part.graph->memories.end());
   return memories;
 }

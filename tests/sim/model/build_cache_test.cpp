@@ -69,7 +69,8 @@ TEST(ModelCacheOfVerilator, SecondConstructionLeavesTheModelAlone) {
 /// A run with one flow control must not get the model of another.
 TEST_F(ModelCache, FlowControlIsPartOfTheKey) {
   for (const auto flow : {rtl::FlowControl::stall, rtl::FlowControl::none, rtl::FlowControl::none}) {
-    const VerilatedDesign design(make_unit(int_slabs(), bits, rtl::Library::thesis(), flow), cache_);
+    const VerilatedDesign design(
+        rtl::make_unit(int_slabs(), bits, rtl::Library::thesis(), {.flow_control = flow}), cache_);
   }
   EXPECT_EQ(count_in(cache_, "int_slabs"), 2);
 }
@@ -86,7 +87,8 @@ TEST(ModelCacheOfVerilator, TakesAnyFolderNames) {
   for (const std::string& name : names_in(default_cache()))
     if (name.starts_with("verilated-")) fs::copy(default_cache() / name, cache / name);
   const EnvironmentValue variable("TMPDIR", temporary.string());
-  const VerilatedDesign design(make_unit(int_slabs(), hls::IntBits{6, 6}, rtl::Library::thesis()), cache);
+  const VerilatedDesign design(rtl::make_unit(int_slabs(), hls::IntBits{6, 6}, rtl::Library::thesis()),
+                               cache);
   Model model(design);
   Pins pins{.out_ready = true};
   model.cycle(nullptr, pins);
@@ -117,8 +119,8 @@ TEST_F(ModelCache, BuildsAgainForAnotherVersionFormatOrCompiler) {
   stub_.set_version("Stub 2");
   build_in(cache_);
   EXPECT_EQ(stub_.runs(), 2);
-  const VerilatedDesign other_format(make_unit(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis()),
-                                     cache_);
+  const VerilatedDesign other_format(
+      rtl::make_unit(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis()), cache_);
   EXPECT_EQ(stub_.runs(), 3);
   folder_.write_program("compiler", "#!/bin/sh\nexec c++ \"$@\"\n");
   const EnvironmentValue compiler("CXX", folder_.path() / "compiler");
@@ -136,8 +138,8 @@ TEST_F(ModelCache, BuildsWithoutACompiledHeaderThatDoesNotFit) {
     if (each.path().filename().string().starts_with("verilated-"))
       std::ofstream(each.path() / "verilated.h.gch") << "of another compiler";
   }
-  const VerilatedDesign other_format(make_unit(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis()),
-                                     cache_);
+  const VerilatedDesign other_format(
+      rtl::make_unit(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis()), cache_);
   EXPECT_EQ(count_in(cache_, "int_slabs_16_16"), 1);
 }
 
@@ -165,11 +167,11 @@ TEST_F(ModelCache, CompilesVerilatorsOwnCodeOnce) {
                                                                "verilated.o", "verilated_threads.o"}));
     // This source can no longer be compiled, so a second compilation would fail.
     std::ofstream(stub_.program().parent_path() / "include/verilated.cpp") << "no C++";
-    const VerilatedDesign other_format(make_unit(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis()),
-                                       cache_);
+    const VerilatedDesign other_format(
+        rtl::make_unit(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis()), cache_);
     fs::remove(each.path() / "verilated_threads.o");
     EXPECT_THROW(
-        VerilatedDesign(make_unit(int_slabs(), hls::IntBits{24, 24}, rtl::Library::thesis()), cache_),
+        VerilatedDesign(rtl::make_unit(int_slabs(), hls::IntBits{24, 24}, rtl::Library::thesis()), cache_),
         std::runtime_error);
   }
   EXPECT_TRUE(fs::exists(cache_ / "failed-verilated.log"));

@@ -55,7 +55,7 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     const SweepRow& row = rows[i];
     const SweepPoint& point = points[i];
     SCOPED_TRACE(row.design + " " + row.bits);
-    const VerilatedDesign verilated(make_unit(*point.design, point.format, rtl::Library::thesis()));
+    const VerilatedDesign verilated(rtl::make_unit(*point.design, point.format, rtl::Library::thesis()));
     const CosimResult counted =
         cosimulate(verilated, scene, bvh,
                    {.width = 24, .height = 16, .rays_in_flight = point.rays_in_flight, .referee = true});

@@ -31,13 +31,13 @@ class SeveralResults : public testing::Test {
 
   const rtl::Design design = rtl::two_boxes();
   const rtl::Format format = design.default_format;
-  Unit unit = make_unit(design, format, rtl::Library::thesis());
+  rtl::Unit unit = rtl::make_unit(design, format, rtl::Library::thesis());
 };
 
 TEST_F(SeveralResults, AreThoseOfTheCpp) {
   for (const char* const bits : {"6/6", "9/11"}) {
     const rtl::Format at = design.parse_format(bits);
-    const VerilatedDesign verilated(make_unit(design, at, rtl::Library::thesis()));
+    const VerilatedDesign verilated(rtl::make_unit(design, at, rtl::Library::thesis()));
     ASSERT_EQ(verilated.results().size(), 3U);
     Model model(verilated);
     const std::vector<rtl::Vector> vectors =
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Results, WrongResult, testing::Values("entry", "hit_a",
 UnitCounts traced(const rtl::Evaluate::Run cpp) {
   const rtl::Design design = rtl::design_of<hls::SlabsWithEntry>();
   const rtl::Format format = hls::IntBits{12, 12};
-  const VerilatedDesign verilated(make_unit(design, format, rtl::Library::thesis()));
+  const VerilatedDesign verilated(rtl::make_unit(design, format, rtl::Library::thesis()));
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const auto feed = make_feed(rtl::find_design("int_slabs"), format, bvh);

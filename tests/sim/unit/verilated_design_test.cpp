@@ -193,7 +193,7 @@ TEST(VerilatedDesignModel, OutlivesItsDesignAndMoves) {
   const hls::IntBits bits{20, 24};
   const std::vector<rtl::Port> ports = int_slabs().ports(bits);
   const auto vectors = rtl::operand_vectors(ports, 1000, first_seed);
-  auto design = std::make_unique<VerilatedDesign>(make_unit(int_slabs(), bits, rtl::Library::thesis()));
+  auto design = std::make_unique<VerilatedDesign>(rtl::make_unit(int_slabs(), bits, rtl::Library::thesis()));
   Model first(*design);
   design.reset();
   Model second(std::move(first));

@@ -10,8 +10,7 @@
 #include "sw_ref/trace/int_major.hpp"
 #include "sw_ref/trace/int_major_pair.hpp"
 #include "sw_ref/world/int_meets.hpp"
-#include "sw_ref/world/int_pair_traversal.hpp"
-#include "sw_ref/world/int_traversal.hpp"
+#include "sw_ref/world/int_world.hpp"
 #include "tests/sw_ref/world/cases.hpp"
 
 namespace hitpipe::ref::int_tracer_test {
@@ -67,14 +66,16 @@ IntHit by_pairs(const IntMesh& mesh, const Bvh& bvh, const IntRay& ray, const Wo
                 const MajorBits& bits, Query query) {
   const std::vector<PairBoxes> pairs = int_pairs(int_boxes(mesh, bvh), bvh);
   const MajorDistances distances(major_ray(ray, bits), bits);
-  IntPairTraversal walk(bvh, ray, query, world, bits);
+  const BvhPairs records(bvh);
+  const auto in_results = [&](std::int64_t length) { return in_box_units(length, world, bits); };
+  IntRecordWalk walk(records, IntWorld(bvh, ray), query, in_results(ray.length));
   while (!walk.done()) {
     if (!walk.at_triangle()) {
-      walk.answer_boxes(test_pair(distances, pairs[walk.record()], walk.parent()));
+      walk.answer(test_pair(distances, pairs[walk.record()], walk.parent()), in_results);
       continue;
     }
     const auto crossing = int_crossing(ray, mesh.triangles[walk.triangle()], world);
-    walk.answer_triangle(crossing.has_value(), crossing ? crossing->t : 0);
+    walk.answer_triangle(crossing.has_value(), crossing ? crossing->t : 0, in_results);
   }
   return walk.hit();
 }
@@ -132,11 +133,11 @@ std::uint32_t walked(const IntMesh& mesh, const Bvh& bvh, const IntRay& ray, con
                      const MajorBits& bits, const Planted& fault) {
   const std::vector<IntBox> boxes = int_boxes(mesh, bvh);
   const MajorDistances distances(major_ray(ray, bits), bits);
-  IntTraversal walk(bvh, ray, Query::closest);
+  IntBoxWalk walk(bvh, IntWorld(bvh, ray), Query::closest);
   while (!walk.done()) {
     if (!walk.at_triangle()) {
       const std::int64_t cut = in_box_units(walk.length(), world, bits) - fault.cut_less;
-      walk.answer_box(distances.meets(boxes[walk.node()], cut));
+      walk.answer(distances.meets(boxes[walk.node()], cut));
       continue;
     }
     const IntTriangle& triangle = mesh.triangles[walk.triangle()];

@@ -1,5 +1,5 @@
-// Traversal: DSA order (Table 4.2), suspension, and that false hits change no answer.
-#include "sw_ref/trace/traversal.hpp"
+// Walks: DSA order (Table 4.2), suspension, and that false hits change no answer.
+#include "sw_ref/trace/walk.hpp"
 
 #include <array>
 #include <vector>
@@ -9,7 +9,7 @@
 #include "sw_ref/trace/slabs.hpp"
 #include "tests/sw_ref/trace/tracer_scenes.hpp"
 
-namespace hitpipe::ref::traversal_test {
+namespace hitpipe::ref::walk_test {
 namespace {
 
 struct Hills {
@@ -19,7 +19,7 @@ struct Hills {
   std::vector<Ray> rays = special_rays(random, mesh, 64);
 };
 
-TEST(Traversal, ChildOrderFollowsTable42) {
+TEST(BoxWalk, ChildOrderFollowsTable42) {
   struct Row {
     const char* ray_class;
     std::array<unsigned, 3> first_child;  // of a branch split along x, y, z
@@ -56,10 +56,10 @@ struct TwoLeaves {
   }
 };
 
-TEST(Traversal, NearChildComesFirstAndItsHitCutsTheRay) {
+TEST(BoxWalk, NearChildComesFirstAndItsHitCutsTheRay) {
   const TwoLeaves two;
   const Ray ray{{0.9F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}};
-  Traversal traversal(two.bvh, two.mesh, ray, Query::closest);
+  BoxWalk traversal(two.bvh, FloatWorld(two.mesh, two.bvh, ray), Query::closest);
   EXPECT_EQ(traversal.node(), 0U);
   EXPECT_EQ(traversal.length(), Ray::infinite);
   traversal.answer(true);
@@ -74,9 +74,9 @@ TEST(Traversal, NearChildComesFirstAndItsHitCutsTheRay) {
   EXPECT_EQ(traversal.counts(), TraceCounts::of_ray(3, 1));
 }
 
-TEST(Traversal, RootIsTestedAndItsMissEndsIt) {
+TEST(BoxWalk, RootIsTestedAndItsMissEndsIt) {
   const TwoLeaves two;
-  Traversal traversal(two.bvh, two.mesh, {{0, 0, 0}, {0, 1, 0}}, Query::closest);
+  BoxWalk traversal(two.bvh, FloatWorld(two.mesh, two.bvh, {{0, 0, 0}, {0, 1, 0}}), Query::closest);
   ASSERT_FALSE(traversal.done());
   traversal.answer(false);
   EXPECT_TRUE(traversal.done());
@@ -84,7 +84,7 @@ TEST(Traversal, RootIsTestedAndItsMissEndsIt) {
   EXPECT_EQ(traversal.counts(), TraceCounts::of_ray(1, 0));
 }
 
-TEST(Traversal, AnyStopsAtTheFirstTriangle) {
+TEST(BoxWalk, AnyStopsAtTheFirstTriangle) {
   const TwoLeaves two;
   const Ray ray{{0.9F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}};
   TraceCounts counts;
@@ -101,7 +101,7 @@ struct AlwaysHit {
   bool operator()(const Aabb&) const { return true; }
 };
 
-TEST(Traversal, AnswerDoesNotDependOnFalseHits) {
+TEST(BoxWalk, AnswerDoesNotDependOnFalseHits) {
   const Hills it;
   for (const Ray& ray : it.rays) {
     TraceCounts counts;
@@ -114,19 +114,19 @@ TEST(Traversal, AnswerDoesNotDependOnFalseHits) {
   }
 }
 
-TEST(Traversal, SuspendedAndMovedTraversalsGoOnUnchanged) {
+TEST(BoxWalk, SuspendedAndMovedTraversalsGoOnUnchanged) {
   const Hills it;
-  std::vector<Traversal> waiting;  // grows without reserve: its traversals are moved
+  std::vector<BoxWalk<FloatWorld>> waiting;  // grows without reserve: its traversals are moved
   std::vector<ConservativeSlabs> tests;
   for (const Ray& ray : it.rays) {
     tests.emplace_back(ray);
-    waiting.emplace_back(it.bvh, it.mesh, ray, Query::closest);
+    waiting.emplace_back(it.bvh, FloatWorld(it.mesh, it.bvh, ray), Query::closest);
     waiting.back().answer(tests.back()(it.bvh.nodes[0].box));
   }
   for (bool busy = true; busy;) {
     busy = false;
     for (std::size_t i = 0; i < waiting.size(); ++i) {
-      Traversal& traversal = waiting[i];
+      BoxWalk<FloatWorld>& traversal = waiting[i];
       if (traversal.done()) continue;
       tests[i].cut(traversal.length());
       traversal.answer(tests[i](it.bvh.nodes[traversal.node()].box));
@@ -142,4 +142,4 @@ TEST(Traversal, SuspendedAndMovedTraversalsGoOnUnchanged) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref::traversal_test
+}  // namespace hitpipe::ref::walk_test

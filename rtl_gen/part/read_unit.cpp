@@ -7,11 +7,10 @@
 #include "host/files.hpp"
 #include "host/text.hpp"
 #include "rtl_gen/emit/manifest.hpp"
-#include "rtl_gen/prune/demands.hpp"
+#include "rtl_gen/part/unit.hpp"
 #include "rtl_gen/prune/prune.hpp"
-#include "sim/unit/unit.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::rtl {
 
 namespace fs = std::filesystem;
 
@@ -31,7 +30,7 @@ struct Manifest {
 /// The design that a manifest is of; nothing when the text is no manifest.
 std::string design_of_manifest(const std::string& text) {
   try {
-    return rtl::head_of(text).design;
+    return head_of(text).design;
   } catch (const std::runtime_error&) {
     return "";
   }
@@ -63,30 +62,29 @@ Manifest manifest_at(const fs::path& place, std::string_view design) {
 
 }  // namespace
 
-Unit read_unit(const fs::path& place, const rtl::Design& design, const rtl::Library& library) {
+Unit read_unit(const fs::path& place, const Design& design, const Library& library) {
   const auto [file, manifest] = manifest_at(place, design.name);
   const auto where = [&file = file](const std::exception& error) {
     return std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
   };
   try {
-    const rtl::ManifestHead head = rtl::head_of(manifest);
+    const ManifestHead head = head_of(manifest);
     if (head.design != design.name)
       throw std::runtime_error(fmt::format("the manifest of {}; allowed is a manifest of {}",
                                            host::shortened(head.design), design.name));
-    const rtl::Format format = design.parse_format(head.bits);
-    const rtl::Graph traced = design.trace(format);
-    rtl::Demands demands = rtl::demands_of_manifest(manifest);
-    const rtl::PruneOptions options{.set_up = rtl::set_up_demands(design.ports(format)), .shares = false};
-    rtl::Pipeline pipeline =
-        rtl::make_pipeline(rtl::prune(traced, demands, options).graph, library, std::nullopt, head.interval);
+    const Format format = design.parse_format(head.bits);
+    const Graph traced = design.trace(format);
+    Demands demands = demands_of_manifest(manifest);
+    const PruneOptions options{.set_up = set_up_demands(design.ports(format)), .shares = false};
+    Pipeline pipeline =
+        make_pipeline(prune(traced, demands, options).graph, library, std::nullopt, head.interval);
     if (head.latency != pipeline.latency())
       throw std::runtime_error(fmt::format(
           "a latency of {} cycles, but with the library {} it is {}; give the library that it was written "
           "with, or write the unit again",
           head.latency, library.name(), pipeline.latency()));
-    Unit unit =
-        make_unit(design, format, library, std::move(pipeline), std::move(demands), head.flow_control);
-    unit.module = head.module;
+    Unit unit = make_unit(design, format, library, std::move(pipeline), std::move(demands), {},
+                          {.module = head.module, .flow_control = head.flow_control});
     unit.verilog = text_of(file.parent_path() / (head.module + ".v"), design.name);
     return unit;
   } catch (const std::invalid_argument& error) {
@@ -96,4 +94,4 @@ Unit read_unit(const fs::path& place, const rtl::Design& design, const rtl::Libr
   }
 }
 
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::rtl
