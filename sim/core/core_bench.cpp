@@ -4,12 +4,15 @@
 #include <bit>
 #include <cstddef>
 #include <cstdlib>
+#include <deque>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "rtl_gen/graph/word.hpp"
+#include "sim/cosim/run_rays.hpp"
 #include "sw_ref/world/int_ray.hpp"
 
 namespace hitpipe::sim {
@@ -146,85 +149,130 @@ CoreWeights CoreBench::weights() const {
           number(hls::weights::HitV(), world.edge())};
 }
 
+void CoreBench::count_idle(double room, double flying, double reading) {
+  counts_.few_rays += (room - flying) / room;
+  counts_.waiting += reading / room;
+  counts_.inside += (flying - reading) / room;
+}
+
+class CoreBench::World {
+ public:
+  World(CoreBench& bench, std::span<const CoreJob> jobs, std::span<CoreAnswer> answers, std::size_t places)
+      : bench_(bench), jobs_(jobs), answers_(answers), places_(places) {}
+
+  void start(std::size_t tag, std::size_t job) { places_[tag] = {job, false}; }
+  [[nodiscard]] bool done(std::size_t tag) const { return places_[tag].answered; }
+  void ask(std::size_t tag) { waiting_.push_back(tag); }
+  [[nodiscard]] bool idle() const { return waiting_.empty() && flying_ == 0; }
+  template <class Answered>
+  void cycle(const Answered& answered);
+
+ private:
+  struct Place {
+    std::size_t job = 0;
+    bool answered = true;
+  };
+  [[nodiscard]] Word out(std::size_t place) const { return bench_.outputs_[place]; }
+  bool offer();
+  bool request();
+  std::optional<std::size_t> answer();
+
+  CoreBench& bench_;
+  std::span<const CoreJob> jobs_;
+  std::span<CoreAnswer> answers_;
+  std::vector<Place> places_;
+  std::deque<std::size_t> waiting_;       ///< tags of rays that the core has not taken
+  bool shown_ = false;                    ///< the first of them is at the ports
+  std::size_t flying_ = 0, reading_ = 0;  ///< rays in the core, and those of them that wait for memory
+};
+
+/// Whether the core takes a ray.
+bool CoreBench::World::offer() {
+  const Places& at = bench_.at_;
+  bench_.inputs_[at[ray_valid]] = waiting_.empty() ? 0 : 1;
+  if (waiting_.empty()) return false;
+  if (!shown_) bench_.show(jobs_[places_[waiting_.front()].job], waiting_.front());
+  shown_ = out(at[ray_ready]) == 0;
+  if (shown_) return false;
+  waiting_.pop_front();
+  ++bench_.counts_.rays;
+  return true;
+}
+
+/// Whether memory takes a request.
+bool CoreBench::World::request() {
+  const Places& at = bench_.at_;
+  const bool asks = out(at[request_valid]) != 0;
+  const bool ready = bench_.memory_.ready();
+  bench_.inputs_[at[request_ready]] = ready ? 1 : 0;
+  if (!asks)
+    bench_.count_idle(static_cast<double>(places_.size()), static_cast<double>(flying_),
+                      static_cast<double>(reading_));
+  else
+    bench_.counts_.refused += ready ? 0 : 1;
+  if (!asks || !ready) return false;
+  const auto block = static_cast<std::uint64_t>(out(at[request_address]) / ref::core_block_bytes);
+  const auto id = static_cast<std::uint32_t>(out(at[request_id]));
+  // Addresses go round at their last bit.
+  const auto mask = static_cast<std::uint64_t>(rtl::ones_below(bench_.core_.options.byte_bits - 5));
+  bench_.memory_.ask(static_cast<std::uint32_t>((block - bench_.options_.base) & mask), id);
+  ++reading_;
+  ++((id >> bench_.core_.options.ray_bits()) != 0 ? bench_.counts_.triangles : bench_.counts_.records);
+  return true;
+}
+
+/// The tag of a ray that is answered.
+std::optional<std::size_t> CoreBench::World::answer() {
+  const Places& at = bench_.at_;
+  const int held = bench_.options_.held_percent;
+  const bool takes = held == 0 || bench_.random_.below(100) >= static_cast<std::uint64_t>(held);
+  bench_.inputs_[at[Hits::ready]] = takes ? 1 : 0;
+  if (!takes || out(at[Hits::valid]) == 0) return std::nullopt;
+  const auto tag = static_cast<std::size_t>(out(at[Hits::tag]));
+  if (tag >= places_.size() || places_[tag].answered ||
+      std::find(waiting_.begin(), waiting_.end(), tag) != waiting_.end())
+    throw std::logic_error(
+        fmt::format("the core answers a ray with the tag {}, which it does not have", tag));
+  CoreAnswer& answer = answers_[places_[tag].job];
+  answer = {.hit = {.triangle = static_cast<std::uint32_t>(out(at[Hits::number])),
+                    .t = static_cast<std::int64_t>(out(at[Hits::t]))},
+            .failed = out(at[Hits::failed]) != 0};
+  if (bench_.core_.options.weights) answer.weights = bench_.weights();
+  bench_.counts_.failed += answer.failed ? 1 : 0;
+  places_[tag].answered = true;
+  --flying_;
+  return tag;
+}
+
+template <class Answered>
+void CoreBench::World::cycle(const Answered& answered) {
+  bench_.machine_.outputs(bench_.outputs_.data());
+  const bool taken = offer();
+  const bool asked = request();
+  bench_.take_block();
+  bench_.check_alive(out(bench_.at_[request_valid]) != 0, asked, out(bench_.at_[Hits::valid]) != 0);
+  const std::optional<std::size_t> tag = answer();
+  bench_.machine_.step(bench_.inputs_.data(), false);
+  bench_.block_ = bench_.memory_.step();
+  reading_ -= bench_.block_ ? 1 : 0;
+  flying_ += taken ? 1 : 0;
+  ++bench_.counts_.cycles;
+  if (tag) answered(*tag);
+}
+
 void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
                     const std::function<void(double)>& progress) {
-  constexpr std::size_t nothing = ~std::size_t{0};
-  // A tag has few bits, so it is a place among the jobs in flight.
-  const Word tags = rtl::ones_below(core_.options.tag_bits) + 1;
-  std::vector<std::size_t> in_flight(
-      static_cast<std::size_t>(std::min(tags, static_cast<Word>(core_.options.rays))), nothing);
-  std::vector<std::size_t> free_tags;
-  for (std::size_t tag = in_flight.size(); tag-- > 0;) free_tags.push_back(tag);
-  const auto block_mask = static_cast<std::uint64_t>(rtl::ones_below(core_.options.byte_bits - 5));
-  std::size_t next = 0, ended = 0, offered = nothing;  // the tag of the job `next`
-  std::size_t flying = 0, reading = 0;  // rays in flight, and those of them that wait for memory
-  while (ended < jobs.size()) {
-    machine_.outputs(outputs_.data());
-    const auto out = [&](std::size_t place) { return outputs_[place]; };
-
-    if (offered == nothing && next < jobs.size() && !free_tags.empty()) {
-      offered = free_tags.back();
-      free_tags.pop_back();
-      show(jobs[next], offered);
-    }
-    bool accepts = false;
-    inputs_[at_[ray_valid]] = offered != nothing ? 1 : 0;
-    if (offered != nothing && out(at_[ray_ready]) != 0) {
-      in_flight[offered] = next++;
-      offered = nothing;
-      accepts = true;
-      ++counts_.rays;
-    }
-
-    const bool asks = out(at_[request_valid]) != 0;
-    const bool ready = memory_.ready();
-    inputs_[at_[request_ready]] = ready ? 1 : 0;
-    if (asks) {
-      counts_.refused += ready ? 0 : 1;
-    } else {
-      const auto room = static_cast<double>(in_flight.size());
-      counts_.few_rays += static_cast<double>(in_flight.size() - flying) / room;
-      counts_.waiting += static_cast<double>(reading) / room;
-      counts_.inside += static_cast<double>(flying - reading) / room;
-    }
-    if (asks && ready) {
-      const auto block = static_cast<std::uint64_t>(out(at_[request_address]) / ref::core_block_bytes);
-      const auto id = static_cast<std::uint32_t>(out(at_[request_id]));
-      // Addresses go round at their last bit.
-      memory_.ask(static_cast<std::uint32_t>((block - options_.base) & block_mask), id);
-      ++reading;
-      ++((id >> core_.options.ray_bits()) != 0 ? counts_.triangles : counts_.records);
-    }
-    take_block();
-
-    const bool takes =
-        options_.held_percent == 0 || random_.below(100) >= static_cast<std::uint64_t>(options_.held_percent);
-    inputs_[at_[Hits::ready]] = takes ? 1 : 0;
-    check_alive(asks, asks && ready, out(at_[Hits::valid]) != 0);
-    if (takes && out(at_[Hits::valid]) != 0) {
-      const auto tag = static_cast<std::size_t>(out(at_[Hits::tag]));
-      if (tag >= in_flight.size() || in_flight[tag] == nothing)
-        throw std::logic_error(
-            fmt::format("the core answers a ray with the tag {}, which it does not have", tag));
-      CoreAnswer& answer = answers[in_flight[tag]];
-      answer = {.hit = {.triangle = static_cast<std::uint32_t>(out(at_[Hits::number])),
-                        .t = static_cast<std::int64_t>(out(at_[Hits::t]))},
-                .failed = out(at_[Hits::failed]) != 0};
-      if (core_.options.weights) answer.weights = weights();
-      counts_.failed += answer.failed ? 1 : 0;
-      in_flight[tag] = nothing;
-      --flying;
-      free_tags.push_back(tag);
-      ++ended;
-      if (progress && ended % 4096 == 0)
-        progress(static_cast<double>(ended) / static_cast<double>(jobs.size()));
-    }
-    machine_.step(inputs_.data(), false);
-    block_ = memory_.step();
-    reading -= block_ ? 1 : 0;
-    flying += accepts ? 1 : 0;
-    ++counts_.cycles;
-  }
+  // A tag has few bits, so it is a place among the rays in flight.
+  const auto places = static_cast<std::size_t>(
+      std::min(rtl::ones_below(core_.options.tag_bits) + 1, static_cast<Word>(core_.options.rays)));
+  World world(*this, jobs, answers, places);
+  std::size_t next = 0, ended = 0;
+  run_rays(
+      world, places, [&] { return next < jobs.size() ? std::optional(next++) : std::nullopt; },
+      [&](std::size_t) {
+        if (++ended % 4096 == 0 && progress)
+          progress(static_cast<double>(ended) / static_cast<double>(jobs.size()));
+      });
 }
 
 }  // namespace hitpipe::sim

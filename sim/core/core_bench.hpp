@@ -77,10 +77,14 @@ class CoreBench {
   [[nodiscard]] const MemoryCounts& memory_counts() const { return memory_.counts(); }
 
  private:
+  /// The rays in flight, for run_rays(). A ray's place is its tag.
+  class World;
+
   void show(const CoreJob& job, std::size_t tag);
   void take_block();
   /// `asks` and `answers` say what the core offers; `asked`: memory took a request.
   void check_alive(bool asks, bool asked, bool answers);
+  void count_idle(double room, double flying, double reading);
   [[nodiscard]] CoreWeights weights() const;
 
   const rtl::Core& core_;
