@@ -1,6 +1,8 @@
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -9,12 +11,12 @@
 
 #include "cli/commands.hpp"
 #include "cli/commands/rescale.hpp"
-#include "cli/commands/world_cosim.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/options/world_options.hpp"
 #include "cli/text/answers_file.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/help.hpp"
@@ -26,10 +28,13 @@
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/cosim/cosim.hpp"
-#include "sim/cosim/ray_unit.hpp"
+#include "sim/cosim/station.hpp"
+#include "sim/cosim/world_tracer.hpp"
 #include "sim/operands/traced_list.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/render/image_file.hpp"
+#include "sw_ref/render/render.hpp"
+#include "sw_ref/world/int_tracer.hpp"
 
 namespace hitpipe::cli {
 
@@ -126,57 +131,91 @@ std::vector<std::string> schematics(const fs::path& folder, const rtl::UnitFiles
   return names;
 }
 
-/// Throws std::runtime_error, one line, for an option that means nothing for a triangle unit.
-int cosimulate_triangles(const CosimCommand& command, const CLI::App& parsed) {
-  const auto refuse = [&](bool given, const char* option) {
+/// Throws std::runtime_error, one line, for an option that means nothing for the design.
+void refuse_options(const CosimCommand& command, const rtl::Design& design) {
+  const auto refuse = [&](bool given, const char* option, const char* what) {
     if (given)
       throw std::runtime_error(
-          fmt::format("{}: not for design {}, which tests triangles", option, command.choice.name));
+          fmt::format("{}: not for design {}, which tests {}", option, design.name, what));
   };
-  refuse(!command.unit.empty(), "--unit");
-  refuse(command.ray_slots.has_value(), "--ray-slots");
-  refuse(command.referee, "--referee");
-  refuse(command.bit_level, "--bit-level");
-  return cosimulate_world({command.choice, command.library, command.scene, command.hierarchy, command.boxes,
-                           command.box_unit.value_or("int_major"), command.flow_control, command.interval,
-                           command.rays_in_flight, command.light, command.rays, command.out, command.format},
-                          parsed);
+  if (design.kind != hls::triangle_kind) {
+    refuse(command.boxes.bits.has_value(), "--boxes", "boxes");
+    refuse(command.box_unit.has_value(), "--box-unit", "boxes");
+    if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
+    if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
+    return;
+  }
+  refuse(!command.unit.empty(), "--unit", "triangles");
+  refuse(command.ray_slots.has_value(), "--ray-slots", "triangles");
+  refuse(command.referee, "--referee", "triangles");
+  refuse(command.bit_level, "--bit-level", "triangles");
+  if (!command.out.empty() && command.rays.given())
+    throw std::runtime_error("--out: a triangle unit's cosim writes a picture only, and --rays make none");
 }
 
-int cosimulate(const CosimCommand& command, const CLI::App& parsed) {
+/// What is traced, and where the results go. Places are announced before the long run, so that one that cannot
+/// be written is reported at once.
+class Work {
+ public:
+  ref::Scene scene;
+  std::vector<sim::AskedRay> rays;  ///< of a list
+
+  Work(const CosimCommand& command, const CLI::App& parsed)
+      : scene(command.scene.load()), command_(command), parsed_(parsed), answers_(command.rays.answers) {
+    const fs::path folder = command.out;
+    if (!command.out.empty() && !command.rays.given()) {
+      image_ = folder / (fs::path(scene.name).stem().string() + ".png");
+      host::announce_output("--out", image_);
+    }
+    if (command.rays.given()) rays = sim::read_ray_list(command.rays.file, scene.to_cube);
+  }
+
+  /// When all has been read.
+  void make_folder() const {
+    if (!command_.out.empty()) host::make_folder(command_.out);
+  }
+  /// Writes the answers, if they are wanted, beside those of `software`.
+  template <class AnswerScene>
+  void write_answers(const AnswerScene& of, std::span<const std::uint32_t> triangles,
+                     const std::function<std::unique_ptr<ref::Tracer>()>& software,
+                     std::optional<Progress>& progress) {
+    if (!answers_.wanted()) return;
+    progress.emplace("tracing in software");
+    const auto exact = sim::trace_list(*software(), rays, command_.scene.threads);
+    answers_.add({}, rays, [&](std::size_t ray) {
+      return sim::answer_of(of, rays[ray], triangles[ray], exact.triangles[ray]);
+    });
+    answers_.finish(notes_of(parsed_, scene));
+  }
+  void write_image(Row& row, const std::vector<glm::vec3>& pixels) const {
+    if (image_.empty()) return;
+    ref::write_image(image_, command_.scene.width, command_.scene.height, pixels);
+    row["image"] = image_.string();
+  }
+
+ private:
+  const CosimCommand& command_;
+  const CLI::App& parsed_;
+  AnswersFile answers_;
+  fs::path image_;  ///< empty: none is drawn
+};
+
+int cosimulate_boxes(const CosimCommand& command, const CLI::App& parsed, std::optional<Progress>& progress) {
   const rtl::Design& design = command.choice.design();
-  if (design.kind == hls::triangle_kind) return cosimulate_triangles(command, parsed);
-  if (command.boxes.bits)
-    throw std::runtime_error(fmt::format("--boxes: not for design {}, which tests boxes", design.name));
-  if (command.box_unit)
-    throw std::runtime_error(fmt::format("--box-unit: not for design {}, which tests boxes", design.name));
-  if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
-  if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
   const rtl::Library library = rtl::library_called(command.library);
   const rtl::Unit bare = unit_of(command, library);
   const rtl::Unit unit = command.ray_slots ? rtl::behind_ray_slots(bare, *command.ray_slots) : bare;
-
-  std::optional<Progress> progress("reading the scene");
-  const ref::Scene scene = command.scene.load();
-  const fs::path folder = command.out;
-  const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
-  const bool draws = !command.out.empty() && !command.rays.given();
-  if (draws) host::announce_output("--out", image);
-  std::vector<sim::AskedRay> rays;
-  if (command.rays.given()) rays = sim::read_ray_list(command.rays.file, scene.to_cube);
-  AnswersFile answers(command.rays.answers);
-  const ref::LoadedBvh hierarchy = ref::make_hierarchy(scene, command.hierarchy);
+  progress.emplace("reading the scene");
+  Work work(command, parsed);
+  const ref::LoadedBvh hierarchy = ref::make_hierarchy(work.scene, command.hierarchy);
+  work.make_folder();
   progress.emplace("compiling the Verilog");
   const sim::VerilatedDesign verilated(unit);
   const bool emits = !command.out.empty() && command.unit.empty();
-  // Done before the long run, so that a folder that cannot be written is reported at once.
-  if (!command.out.empty()) host::make_folder(folder);
   rtl::UnitFiles written;
-  if (emits) {
-    written = rtl::write_unit(folder, rtl::emit(bare, {.ray_slots = command.ray_slots}));
-  }
+  if (emits) written = rtl::write_unit(command.out, rtl::emit(bare, {.ray_slots = command.ray_slots}));
   progress.emplace("co-simulating");
-  const sim::CosimResult result = sim::cosimulate(verilated, scene, hierarchy.bvh,
+  const sim::CosimResult result = sim::cosimulate(verilated, work.scene, hierarchy.bvh,
                                                   {.width = command.scene.width,
                                                    .height = command.scene.height,
                                                    .rays_in_flight = command.rays_in_flight,
@@ -184,27 +223,18 @@ int cosimulate(const CosimCommand& command, const CLI::App& parsed) {
                                                    .referee = command.referee,
                                                    .bit_level = command.bit_level,
                                                    .light = command.light,
-                                                   .rays = rays,
+                                                   .rays = work.rays,
                                                    .progress = [&](double share) { progress->show(share); }});
-  if (answers.wanted()) {
-    progress.emplace("tracing in software");
-    const auto exact =
-        sim::trace_list(*ref::make_tracer(scene.mesh, hierarchy.bvh, {}), rays, command.scene.threads);
-    answers.add({}, rays, [&](std::size_t ray) {
-      return sim::answer_of(scene, rays[ray], result.triangles[ray], exact.triangles[ray]);
-    });
-    answers.finish(notes_of(parsed, scene));
-  }
+  work.write_answers(
+      work.scene, result.triangles, [&] { return ref::make_tracer(work.scene.mesh, hierarchy.bvh, {}); },
+      progress);
   progress.reset();
 
-  Row row = record(command, unit, scene, hierarchy, result);
-  if (draws) {
-    ref::write_image(image, command.scene.width, command.scene.height, result.image);
-    row["image"] = image.string();
-  }
+  Row row = record(command, unit, work.scene, hierarchy, result);
+  work.write_image(row, result.image);
   if (emits) {
-    row["verilog"] = (folder / (unit.module() + ".v")).string();
-    row["schematics"] = schematics(folder, written);
+    row["verilog"] = (fs::path(command.out) / (unit.module() + ".v")).string();
+    row["schematics"] = schematics(command.out, written);
   }
   fmt::print("{}", record_text(row, command.format));
   if (!written.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
@@ -213,9 +243,96 @@ int cosimulate(const CosimCommand& command, const CLI::App& parsed) {
   const std::string false_misses =
       result.unit.false_misses ? fmt::format(", {} false misses", *result.unit.false_misses) : "";
   fmt::print(stderr, "hitpipe: {} {} on {}: {} RTL mismatches, {} different triangles{}; all must be 0\n",
-             command.choice.name, rtl::to_string(unit.format), scene.name, result.unit.rtl_mismatches,
+             command.choice.name, rtl::to_string(unit.format), work.scene.name, result.unit.rtl_mismatches,
              result.different_triangles, false_misses);
   return 1;
+}
+
+/// A picture, or a list of rays, whose boxes and triangles are answered by Verilog.
+int cosimulate_triangles(const CosimCommand& command, const CLI::App& parsed,
+                         std::optional<Progress>& progress) {
+  const rtl::Design& design = command.choice.design();
+  const rtl::Format format = command.choice.format();
+  const auto world = format.as<hls::WorldBits>();
+  const hls::MajorBits box_bits = command.boxes.format(world).value_or(usual_box_format(world));
+  const rtl::Design& boxes = rtl::find_design(command.box_unit.value_or("int_major"));
+  const rtl::Library library = rtl::library_called(command.library);
+  const rtl::UnitOptions built{.flow_control = command.flow_control, .interval = command.interval};
+  progress.emplace("reading the scene");
+  Work work(command, parsed);
+  const ref::IntScene scene = command.scene.in_integers(work.scene, world, command.hierarchy);
+  work.make_folder();
+  progress.emplace("compiling the Verilog");
+  const sim::VerilatedDesign box_unit(rtl::make_unit(boxes, box_bits, library, built));
+  const sim::VerilatedDesign triangle_unit(rtl::make_unit(design, format, library, built));
+  const sim::WorldTracer tracer(
+      scene, {.boxes = &box_unit, .triangles = &triangle_unit, .rays_in_flight = command.rays_in_flight});
+  progress.emplace("co-simulating");
+  const auto show = [&](double share) { progress->show(share); };
+  ref::RenderResult result;
+  if (command.rays.given()) {
+    sim::TracedList traced = sim::trace_list(tracer, work.rays, command.scene.threads, show);
+    result.counts = traced.counts;
+    result.triangles = std::move(traced.triangles);
+  } else {
+    const ref::IntSurfaces surfaces(scene);
+    result = ref::render(scene.scene, tracer,
+                         {.width = command.scene.width,
+                          .height = command.scene.height,
+                          .threads = command.scene.threads,
+                          .light = command.light,
+                          .surfaces = &surfaces,
+                          .progress = show});
+  }
+  work.write_answers(
+      scene, result.triangles,
+      [&] { return ref::int_tracer(scene.mesh, scene.hierarchy(), {.world = world}); }, progress);
+  progress.reset();
+
+  const sim::WorldCounts counts = tracer.counts();
+  const ref::TraceCounts all = result.counts.total();
+  Row row{{"design", design.name},     {"bits", rtl::to_string(format)},
+          {"box_unit", boxes.name},    {"box_bits", rtl::to_string(rtl::Format(box_bits))},
+          {"scene", scene.scene.name}, {"hierarchy", command.hierarchy.name()}};
+  row.update(scene_row(scene));
+  row.update(
+      {{"rays_primary", result.counts.primary.rays},
+       {"rays_secondary", result.counts.secondary.rays},
+       {"rays_shadow", result.counts.shadow.rays},
+       {"box_tests", all.box_tests},
+       {"box_hits", counts.boxes.hits},
+       {"box_rtl_mismatches", counts.boxes.rtl_mismatches},
+       {"triangle_tests", counts.triangles.tests},
+       {"triangle_hits", counts.triangles.hits},
+       {"triangle_rtl_mismatches", counts.triangles.rtl_mismatches},
+       {"divisions", counts.divisions.tests},
+       {"divider_cycles", counts.divisions.cycles},
+       {"divider_rtl_mismatches", counts.divisions.rtl_mismatches},
+       {"different_rays", counts.different},
+       {"extra_box_tests_pct", sim::percent_above(all.box_tests, counts.reference.box_tests)},
+       {"extra_triangle_tests_pct", sim::percent_above(all.triangle_tests, counts.reference.triangle_tests)},
+       {"box_latency", box_unit.latency()},
+       {"triangle_latency", triangle_unit.latency()},
+       {"rays_in_flight", command.rays_in_flight}});
+  if (boxes.kind.objects > 1) row["box_unit_tests"] = counts.boxes.tests;
+  work.write_image(row, result.image);
+  fmt::print("{}", record_text(row, command.format));
+  const std::uint64_t mismatches =
+      counts.boxes.rtl_mismatches + counts.triangles.rtl_mismatches + counts.divisions.rtl_mismatches;
+  if (mismatches == 0 && counts.different == 0) return 0;
+  fmt::print(
+      stderr,
+      "hitpipe: {} {} on {}: {} RTL mismatches, {} rays that differ from exact integers; all must be 0\n",
+      design.name, rtl::to_string(format), scene.scene.name, mismatches, counts.different);
+  return 1;
+}
+
+int cosimulate(const CosimCommand& command, const CLI::App& parsed) {
+  const rtl::Design& design = command.choice.design();
+  refuse_options(command, design);
+  std::optional<Progress> progress;
+  return design.kind == hls::triangle_kind ? cosimulate_triangles(command, parsed, progress)
+                                           : cosimulate_boxes(command, parsed, progress);
 }
 
 }  // namespace
@@ -245,8 +362,8 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
       ->type_name("NAME");
   add_scene_options(*command, options->scene);
   add_hierarchy_options(*command, options->hierarchy);
-  add_count_option(*command, "--rays-in-flight", options->rays_in_flight,
-                   {1, sim::Station::most_rays}, "Rays that share one pipeline")
+  add_count_option(*command, "--rays-in-flight", options->rays_in_flight, {1, sim::Station::most_rays},
+                   "Rays that share one pipeline")
       ->capture_default_str();
   add_count_option(
       *command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
