@@ -1,12 +1,10 @@
 #include <memory>
 #include <optional>
-#include <set>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "area_model/figure.hpp"
 #include "area_model/price.hpp"
 #include "area_model/triangle_unit.hpp"
 #include "cli/commands.hpp"
@@ -23,7 +21,6 @@ namespace hitpipe::cli {
 namespace {
 
 using area::Account;
-using area::Line;
 using area::Price;
 
 struct AreaOptions {
@@ -59,122 +56,8 @@ std::vector<ChosenUnit> chosen(const AreaOptions& options) {
   return units;
 }
 
-std::set<area::Part> parts_of(const std::vector<Price>& prices) {
-  std::set<area::Part> parts;
-  for (const Price& price : prices) {
-    for (const Line& line : price.lines) parts.insert(line.part);
-  }
-  return parts;
-}
-
-/// Appends a count for every part, 0 if there is none, and the names of the estimated parts.
-void append_parts(Row& row, const std::vector<Line>& lines, const std::set<area::Part>& parts) {
-  for (const area::Part& part : parts) row[area::part_name(part)] = 0;
-  Row estimated = Row::array();
-  for (const Line& line : lines) {
-    row[area::part_name(line.part)] = line.n;
-    if (line.estimated) estimated.push_back(area::part_name(line.part));
-  }
-  row["estimated"] = estimated;
-}
-
-/// In CSV the figure keeps its zeros at the end. In JSON it is a number.
-Row figure(const std::string& digits, OutputFormat format) {
-  return format == OutputFormat::csv ? Row(digits) : Row::parse(digits);
-}
-
-/// What is said of a unit whatever it is made of.
-Row unit_row(const Price& p, OutputFormat format) {
-  return {{"design", p.design},
-          {"bits", rtl::to_string(p.format)},
-          {"stages", p.stages},
-          {"stage_delay_ns", figure(area::delay_ns(p.stage_delay_ps), format)},
-          {"clock_mhz", figure(area::clock_mhz(p), format)},
-          {"latency_ns", figure(area::delay_ns(p.latency_ps()), format)}};
-}
-
-std::vector<Row> design_rows(const std::vector<Price>& prices, const std::optional<Price>& baseline,
-                             OutputFormat format) {
-  const auto share = [&](std::int64_t part, std::int64_t whole) {
-    return figure(area::percent(part, whole), format);
-  };
-  const std::set<area::Part> parts = parts_of(prices);
-  std::vector<Row> rows;
-  for (const Price& p : prices) {
-    Row row = unit_row(p, format);
-    row.update(
-        {{"area_mm2", figure(area::area_mm2(p.area_um2), format)},
-         {"area_pct", baseline ? share(p.area_per_box_um2(), baseline->area_per_box_um2()) : Row(nullptr)},
-         {"adp_mm2_ns", figure(area::adp_mm2_ns(p), format)},
-         {"adp_pct", baseline ? share(p.area_delay_per_box(), baseline->area_delay_per_box()) : Row(nullptr)},
-         {"boxes_per_test", p.boxes},
-         {"area_per_box_mm2", figure(area::area_mm2(p.area_per_box_um2()), format)}});
-    append_parts(row, p.lines, parts);
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-std::vector<Row> stage_rows(const std::vector<Price>& prices, OutputFormat format) {
-  const std::set<area::Part> parts = parts_of(prices);
-  std::vector<Row> rows;
-  for (const Price& p : prices) {
-    for (const area::StagePrice& stage : p.by_stage) {
-      Row row{{"design", p.design},
-              {"bits", rtl::to_string(p.format)},
-              {"stage", stage.stage},
-              {"area_mm2", figure(area::area_mm2(stage.area_um2), format)}};
-      append_parts(row, stage.lines, parts);
-      rows.push_back(std::move(row));
-    }
-  }
-  return rows;
-}
-
-/// What a unit takes of the chip.
-void append_cells(Row& row, const rtl::ChipCells& taken, const rtl::Chip& chip) {
-  row["lut"] = taken.luts;
-  row["ff"] = taken.registers;
-  row["dsp"] = taken.blocks;
-  row["dsp_name"] = chip.block ? Row(chip.block->name) : Row(nullptr);
-}
-
-std::vector<Row> chip_rows(const std::vector<Price>& prices, const rtl::Library& library,
-                           OutputFormat format) {
-  const std::set<area::Part> parts = parts_of(prices);
-  std::vector<Row> rows;
-  for (const Price& p : prices) {
-    Row row{{"library", library.name()}};
-    row.update(unit_row(p, format));
-    row["delay_estimated"] = library.chip()->estimated;
-    append_cells(row, p.taken, *library.chip());
-    row["logic_cells"] = p.logic_cells ? Row(*p.logic_cells) : Row(nullptr);
-    row["boxes_per_test"] = p.boxes;
-    append_parts(row, p.lines, parts);
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-std::vector<Row> chip_stage_rows(const std::vector<Price>& prices, const rtl::Library& library) {
-  const std::set<area::Part> parts = parts_of(prices);
-  std::vector<Row> rows;
-  for (const Price& p : prices) {
-    for (const area::StagePrice& stage : p.by_stage) {
-      Row row{{"library", library.name()},
-              {"design", p.design},
-              {"bits", rtl::to_string(p.format)},
-              {"stage", stage.stage}};
-      append_cells(row, stage.taken, *library.chip());
-      append_parts(row, stage.lines, parts);
-      rows.push_back(std::move(row));
-    }
-  }
-  return rows;
-}
-
 /// A line for each unit that would take more blocks if they were worth no lookup tables.
-std::string other_plans(const std::vector<ChosenUnit>& units, const std::vector<Price>& prices,
+std::string other_plans(const std::vector<ChosenUnit>& units, const std::vector<RatedPrice>& prices,
                         const rtl::Library& library, const AreaOptions& options) {
   if (!library.chip()->block) return "";
   const rtl::Block& block = *library.chip()->block;
@@ -184,7 +67,7 @@ std::string other_plans(const std::vector<ChosenUnit>& units, const std::vector<
     const auto& [design, format] = units[i];
     const rtl::ChipCells other =
         area::price(*design, format, free_blocks, options.account, options.flow_control).taken;
-    if (other.blocks == prices[i].taken.blocks) continue;
+    if (other.blocks == prices[i].price.taken.blocks) continue;
     text += fmt::format("{} {} with --block-luts 0: {} {}, {} LUT, {} FF\n", design->name,
                         rtl::to_string(format), other.blocks, block.name, other.luts, other.registers);
   }
@@ -192,61 +75,6 @@ std::string other_plans(const std::vector<ChosenUnit>& units, const std::vector<
     text = fmt::format("A product's odd bits take a block where logic would take more than {} LUT.\n{}",
                        block.luts, text);
   return text;
-}
-
-std::string chip_prices(const std::vector<Price>& prices, const rtl::Library& library,
-                        const std::vector<ChosenUnit>& units, const AreaOptions& options) {
-  if (options.by_stage) {
-    return options.format == OutputFormat::text
-               ? chip_by_stage_text(prices, *library.chip())
-               : table_text(chip_stage_rows(prices, library), options.format);
-  }
-  return options.format == OutputFormat::text
-             ? chip_text(prices, library, other_plans(units, prices, library, options))
-             : table_text(chip_rows(prices, library, options.format), options.format);
-}
-
-std::vector<Row> rate_rows(const std::vector<RatedPrice>& units, const rtl::Library& library,
-                           OutputFormat format) {
-  std::set<area::Part> parts;
-  for (const RatedPrice& unit : units) parts.merge(parts_of({unit.price}));
-  std::vector<Row> rows;
-  for (const auto& [p, every_cycle] : units) {
-    Row row = unit_row(p, format);
-    row["ii"] = p.interval;
-    row["boxes_per_test"] = p.boxes;
-    row["boxes_per_second"] = p.boxes_per_second();
-    if (library.chip() != nullptr) {
-      append_cells(row, p.taken, *library.chip());
-      row["logic_cells"] = p.logic_cells ? Row(*p.logic_cells) : Row(nullptr);
-      row["lut_of_ii_1_pct"] = figure(area::percent(p.taken.luts, every_cycle.taken.luts), format);
-    } else {
-      row["area_mm2"] = figure(area::area_mm2(p.area_um2), format);
-      row["area_per_box_mm2"] = figure(area::area_mm2(p.area_per_box_um2()), format);
-      row["area_of_ii_1_pct"] =
-          figure(area::percent(p.area_per_box_um2(), every_cycle.area_per_box_um2()), format);
-      row["adp_mm2_ns"] = figure(area::adp_mm2_ns(p), format);
-    }
-    append_parts(row, p.lines, parts);
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-/// Area against rate.
-void print_rates(const AreaOptions& options, const rtl::Library& library) {
-  std::vector<RatedPrice> units;
-  for (const ChosenUnit& unit : chosen(options)) {
-    const auto price_at = [&](int interval) {
-      return area::price(*unit.design, unit.format, library, options.account, options.flow_control, interval);
-    };
-    const Price every_cycle = price_at(1);
-    for (const int interval : options.intervals)
-      units.push_back({interval == 1 ? every_cycle : price_at(interval), every_cycle});
-  }
-  fmt::print("{}", options.format == OutputFormat::text
-                       ? rates_text(units, library)
-                       : table_text(rate_rows(units, library, options.format), options.format));
 }
 
 /// The machines among the names that the user gave. Throws std::runtime_error, one line, when only some are.
@@ -265,34 +93,30 @@ std::vector<const rtl::Machine*> machines_in(const AreaOptions& options) {
 
 void print_prices(const AreaOptions& options) {
   const rtl::Library library = rtl::library_called(options.library, options.block_luts);
-  if (!options.intervals.empty()) {
-    print_rates(options, library);
-    return;
-  }
-  const auto priced = [&](const rtl::Design& design, const rtl::Format& format) {
-    return area::price(design, format, library, options.account, options.flow_control);
+  const auto priced = [&](const rtl::Design& design, const rtl::Format& format, int interval) {
+    return area::price(design, format, library, options.account, options.flow_control, interval);
   };
+  AreaTable table{.units = {}, .library = &library, .rates = !options.intervals.empty()};
   const std::vector<ChosenUnit> units = chosen(options);
-  std::vector<Price> prices;
-  for (const ChosenUnit& unit : units) prices.push_back(priced(*unit.design, unit.format));
-  if (library.chip() != nullptr) {
-    fmt::print("{}", chip_prices(prices, library, units, options));
-    return;
+  for (const auto& [design, format] : units) {
+    const Price every_cycle = priced(*design, format, 1);
+    for (const int interval : table.rates ? options.intervals : std::vector{1})
+      table.units.push_back({interval == 1 ? every_cycle : priced(*design, format, interval), every_cycle});
   }
-  if (options.by_stage) {
-    fmt::print("{}", options.format == OutputFormat::text
-                         ? by_stage_text(prices)
-                         : table_text(stage_rows(prices, options.format), options.format));
-    return;
-  }
-  std::optional<Price> baseline;
-  if (area::can_price_baseline(library)) {
+  if (!table.rates && library.chip() == nullptr && area::can_price_baseline(library)) {
     const area::Entry& entry = area::baseline_design();
-    baseline = priced(rtl::find_design(entry.design), entry.format);
+    table.baseline = priced(rtl::find_design(entry.design), entry.format, 1);
   }
-  fmt::print("{}", options.format == OutputFormat::text
-                       ? area_text(prices, baseline)
-                       : table_text(design_rows(prices, baseline, options.format), options.format));
+  if (options.format != OutputFormat::text)
+    fmt::print("{}", table_text(options.by_stage ? stage_rows(table, options.format)
+                                                 : area_rows(table, options.format),
+                                options.format));
+  else if (options.by_stage)
+    fmt::print("{}", by_stage_text(table));
+  else
+    fmt::print("{}", area_text(table, library.chip() != nullptr && !table.rates
+                                          ? other_plans(units, table.units, library, options)
+                                          : ""));
 }
 
 }  // namespace

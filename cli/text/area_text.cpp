@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 #include <span>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -44,50 +47,12 @@ std::string aligned(const std::vector<Cells>& rows, std::size_t left_columns,
   return text;
 }
 
-/// In percent of the baseline design; for each box, as all comparisons of designs.
-std::string area_share(const Price& price, const std::optional<Price>& baseline) {
-  return baseline ? area::percent(price.area_per_box_um2(), baseline->area_per_box_um2()) + "%" : "";
-}
-std::string area_delay_share(const Price& price, const std::optional<Price>& baseline) {
-  return baseline ? area::percent(price.area_delay_per_box(), baseline->area_delay_per_box()) + "%" : "";
-}
-
-std::string summary(const std::vector<Price>& prices, const std::optional<Price>& baseline) {
-  std::vector<Cells> rows{{"design", "bits", "stages", "delay", "clock", "latency", "area", "", "ADP", ""},
-                          {"", "", "", "ns", "MHz", "ns", "mm2", "", "mm2 ns", ""}};
-  for (const Price& p : prices) {
-    rows.push_back({std::string(p.design), rtl::to_string(p.format), fmt::format("{}", p.stages),
-                    area::delay_ns(p.stage_delay_ps), area::clock_mhz(p), area::delay_ns(p.latency_ps()),
-                    area::area_mm2(p.area_um2), area_share(p, baseline), area::adp_mm2_ns(p),
-                    area_delay_share(p, baseline)});
-  }
-  return aligned(rows, 2);
-}
-
+/// The first two are words.
 /// With a narrower gap where the usual one would exceed the page.
 std::string fitted(const std::vector<Cells>& rows) {
   std::size_t width = (rows.front().size() - 1) * usual_gap;
   for (std::size_t column = 0; column < rows.front().size(); ++column) width += column_width(rows, column);
   return aligned(rows, 2, width <= page_width ? usual_gap : 1);
-}
-
-/// For designs of which one answers for several boxes in a test. The clock is left out, because the delay
-/// says the same and the page is narrow.
-std::string summary_of_boxes(const std::vector<Price>& prices, const std::optional<Price>& baseline) {
-  std::vector<Cells> rows{
-      {"design", "bits", "stages", "delay", "latency", "area", "boxes", "area", "", "ADP", ""},
-      {"", "", "", "ns", "ns", "mm2", "", "a box", "", "mm2 ns", ""}};
-  for (const Price& p : prices) {
-    rows.push_back({std::string(p.design), rtl::to_string(p.format), fmt::format("{}", p.stages),
-                    area::delay_ns(p.stage_delay_ps), area::delay_ns(p.latency_ps()),
-                    area::area_mm2(p.area_um2), fmt::format("{}", p.boxes),
-                    area::area_mm2(p.area_per_box_um2()), area_share(p, baseline), area::adp_mm2_ns(p),
-                    area_delay_share(p, baseline)});
-  }
-  const std::string note =
-      fmt::format("ADP{} for each box that a test answers for.\n",
-                  baseline ? fmt::format(" and percent of {} are", baseline->design) : " is");
-  return fitted(rows) + note;
 }
 
 /// For example "int", "plucker", "24/24": three short lines as the head of a column, and the interval.
@@ -158,18 +123,145 @@ std::string listed(const Cells& items, std::size_t indent) {
   return text;
 }
 
-}  // namespace
+/// A figure in a table of units: what CSV and JSON call it, and what a table as text has above it.
+struct Column {
+  const char* key;
+  std::string head{}, unit{};
+  std::function<std::string(const RatedPrice&)> digits;
+  bool is_word = false;
+};
 
-std::string area_text(const std::vector<Price>& prices, const std::optional<Price>& baseline) {
-  const bool one_box = std::all_of(prices.begin(), prices.end(), [](const Price& p) { return p.boxes == 1; });
-  return (one_box ? summary(prices, baseline) : summary_of_boxes(prices, baseline)) +
-         part_columns("count", prices, [](const Line& line) { return fmt::format("{}", line.n); }) +
-         part_columns(
-             "area mm2", prices, [](const Line& line) { return area::area_mm2(line.area_um2); },
-             [](const Price& price) { return area::area_mm2(price.area_um2); });
+std::string count(std::int64_t n) {
+  return fmt::format("{}", n);
 }
 
-namespace {
+std::string block_name(const rtl::Chip& chip) {
+  return chip.block ? chip.block->name : "DSP";
+}
+
+/// All columns of a kind of table, in the order of CSV.
+std::vector<Column> columns_of(const AreaTable& table) {
+  const rtl::Chip* const chip = table.library->chip();
+  const auto of_price = [](auto figure) { return [figure](const RatedPrice& p) { return figure(p.price); }; };
+  std::vector<Column> all;
+  const auto add = [&](const char* key, std::string title, std::string unit, auto figure) {
+    all.push_back({key, std::move(title), std::move(unit), of_price(figure)});
+  };
+  const auto add_word = [&](const char* key, std::string title, auto figure) {
+    all.push_back({key, std::move(title), "", of_price(figure), true});
+  };
+  if (chip != nullptr && !table.rates)
+    add_word("library", "", [&table](const Price&) { return table.library->name(); });
+  add_word("design", "design", [](const Price& p) { return std::string(p.design); });
+  add_word("bits", "bits", [](const Price& p) { return rtl::to_string(p.format); });
+  add("stages", "stages", "", [](const Price& p) { return count(p.stages); });
+  add("stage_delay_ns", "delay", "ns", [](const Price& p) { return area::delay_ns(p.stage_delay_ps); });
+  add("clock_mhz", "clock", "MHz", area::clock_mhz);
+  add("latency_ns", "latency", "ns", [](const Price& p) { return area::delay_ns(p.latency_ps()); });
+  const auto boxes = [](const Price& p) { return count(p.boxes); };
+  if (table.rates) {
+    add("ii", "II", "", [](const Price& p) { return count(p.interval); });
+    add("boxes_per_test", "boxes", "", boxes);
+    add("boxes_per_second", "", "", [](const Price& p) { return count(p.boxes_per_second()); });
+  } else if (chip != nullptr) {
+    add("delay_estimated", "", "",
+        [chip](const Price&) { return std::string(chip->estimated ? "true" : "false"); });
+  }
+  if (chip != nullptr) {
+    add("lut", "LUT", "", [](const Price& p) { return count(p.taken.luts); });
+    add("ff", "FF", "", [](const Price& p) { return count(p.taken.registers); });
+    add("dsp", table.rates ? "blocks" : block_name(*chip), "",
+        [](const Price& p) { return count(p.taken.blocks); });
+    all.push_back({"dsp_name", "", "",
+                   [chip](const RatedPrice&) { return chip->block ? chip->block->name : ""; }, true});
+    add("logic_cells", "cells", "",
+        [](const Price& p) { return p.logic_cells ? count(*p.logic_cells) : ""; });
+    if (table.rates)
+      all.push_back({"lut_of_ii_1_pct", "", "of II 1", [](const RatedPrice& p) {
+                       return area::percent(p.price.taken.luts, p.every_cycle.taken.luts);
+                     }});
+    else
+      add("boxes_per_test", "boxes", "", boxes);
+    return all;
+  }
+  const auto area_of = [](const Price& p) { return area::area_mm2(p.area_um2); };
+  const auto area_of_box = [](const Price& p) { return area::area_mm2(p.area_per_box_um2()); };
+  if (table.rates) {
+    add("area_mm2", "", "", area_of);
+    add("area_per_box_mm2", "area", "mm2", area_of_box);
+    all.push_back({"area_of_ii_1_pct", "", "of II 1", [](const RatedPrice& p) {
+                     return area::percent(p.price.area_per_box_um2(), p.every_cycle.area_per_box_um2());
+                   }});
+    add("adp_mm2_ns", "x time", "mm2 ns", area::adp_mm2_ns);
+    return all;
+  }
+  // In percent of the baseline, for each box, as all comparisons of designs.
+  const auto share = [&table](auto figure) {
+    return [&table, figure](const Price& p) {
+      return table.baseline ? area::percent(figure(p), figure(*table.baseline)) : "";
+    };
+  };
+  add("area_mm2", "area", "mm2", area_of);
+  add("area_pct", "", "", share([](const Price& p) { return p.area_per_box_um2(); }));
+  add("adp_mm2_ns", "ADP", "mm2 ns", area::adp_mm2_ns);
+  add("adp_pct", "", "", share([](const Price& p) { return p.area_delay_per_box(); }));
+  add("boxes_per_test", "boxes", "", boxes);
+  add("area_per_box_mm2", "area", "a box", area_of_box);
+  return all;
+}
+
+/// Of these columns, in this order. `boxes_M` is the rate of boxes in millions a second.
+std::string summary(const AreaTable& table, const std::vector<std::string_view>& keys) {
+  std::vector<Column> all = columns_of(table);
+  all.push_back(
+      {"boxes_M", "boxes", "M/s", [](const RatedPrice& p) { return area::megaboxes_per_second(p.price); }});
+  std::vector<Cells> rows(2 + table.units.size());
+  for (const std::string_view key : keys) {
+    const Column& column =
+        *std::find_if(all.begin(), all.end(), [&](const Column& each) { return each.key == key; });
+    rows[0].push_back(column.head);
+    rows[1].push_back(column.unit);
+    for (std::size_t i = 0; i < table.units.size(); ++i) {
+      const std::string digits = column.digits(table.units[i]);
+      rows[i + 2].push_back(key.ends_with("_pct") && !digits.empty() ? digits + "%" : digits);
+    }
+  }
+  return fitted(rows);
+}
+
+std::vector<Price> prices_of(const AreaTable& table) {
+  std::vector<Price> prices;
+  for (const RatedPrice& unit : table.units) prices.push_back(unit.price);
+  return prices;
+}
+
+std::string chip_note(const rtl::Chip& chip, const std::string& more) {
+  return fmt::format("On {}.{}{}\n", chip.device, more, chip.estimated ? " Delays are estimated." : "");
+}
+
+/// Appends a count for every part that some unit has, 0 if there is none, and the names of the estimated parts.
+void append_parts(Row& row, const std::vector<Line>& lines, const std::set<area::Part>& parts) {
+  for (const area::Part& part : parts) row[area::part_name(part)] = 0;
+  Row estimated = Row::array();
+  for (const Line& line : lines) {
+    row[area::part_name(line.part)] = line.n;
+    if (line.estimated) estimated.push_back(area::part_name(line.part));
+  }
+  row["estimated"] = estimated;
+}
+
+std::set<area::Part> parts_of(const AreaTable& table) {
+  std::set<area::Part> parts;
+  for (const RatedPrice& unit : table.units)
+    for (const Line& line : unit.price.lines) parts.insert(line.part);
+  return parts;
+}
+
+/// In CSV a figure keeps its zeros at the end. In JSON it is a number.
+Row figure(const std::string& digits, bool is_word, OutputFormat format) {
+  if (digits.empty()) return nullptr;
+  return is_word || format == OutputFormat::csv ? Row(digits) : Row::parse(digits);
+}
 
 /// What a stage takes, in columns, and their heading.
 struct StageColumns {
@@ -200,94 +292,107 @@ std::string stages_text(const std::vector<Price>& prices, const StageColumns& co
   return text;
 }
 
-std::string block_name(const rtl::Chip& chip) {
-  return chip.block ? chip.block->name : "DSP";
-}
-
 }  // namespace
 
-std::string by_stage_text(const std::vector<Price>& prices) {
+std::vector<Row> area_rows(const AreaTable& table, OutputFormat format) {
+  const std::vector<Column> columns = columns_of(table);
+  const std::set<area::Part> parts = parts_of(table);
+  std::vector<Row> rows;
+  for (const RatedPrice& unit : table.units) {
+    Row& row = rows.emplace_back();
+    for (const Column& column : columns)
+      row[column.key] = figure(column.digits(unit), column.is_word, format);
+    append_parts(row, unit.price.lines, parts);
+  }
+  return rows;
+}
+
+std::vector<Row> stage_rows(const AreaTable& table, OutputFormat format) {
+  const rtl::Chip* const chip = table.library->chip();
+  const std::set<area::Part> parts = parts_of(table);
+  std::vector<Row> rows;
+  for (const RatedPrice& unit : table.units) {
+    for (const area::StagePrice& stage : unit.price.by_stage) {
+      Row& row = rows.emplace_back(Row::object());
+      if (chip != nullptr) row["library"] = table.library->name();
+      row.update({{"design", unit.price.design},
+                  {"bits", rtl::to_string(unit.price.format)},
+                  {"stage", stage.stage}});
+      if (chip != nullptr)
+        row.update({{"lut", stage.taken.luts},
+                    {"ff", stage.taken.registers},
+                    {"dsp", stage.taken.blocks},
+                    {"dsp_name", chip->block ? Row(chip->block->name) : Row(nullptr)}});
+      else
+        row["area_mm2"] = figure(area::area_mm2(stage.area_um2), false, format);
+      append_parts(row, stage.lines, parts);
+    }
+  }
+  return rows;
+}
+
+std::string area_text(const AreaTable& table, const std::string& notes) {
+  const std::vector<Price> prices = prices_of(table);
+  const rtl::Chip* const chip = table.library->chip();
+  const auto counts = [](const Line& line) { return count(line.n); };
+  if (table.rates) {
+    const std::string note =
+        chip == nullptr
+            ? "Area is for each box; x time: times the time from one box to the next.\n"
+            : chip_note(*chip, chip->block ? fmt::format(" Blocks are {}.", chip->block->name) : "");
+    return (chip != nullptr
+                ? summary(table, {"design", "bits", "ii", "stages", "clock_mhz", "lut", "lut_of_ii_1_pct",
+                                  "ff", "dsp", "boxes_M"})
+                : summary(table, {"design", "bits", "ii", "stages", "clock_mhz", "area_per_box_mm2",
+                                  "area_of_ii_1_pct", "boxes_M", "adp_mm2_ns"})) +
+           note + part_columns("count", prices, counts);
+  }
+  if (chip != nullptr) {
+    std::vector<std::string_view> keys{
+        "design", "bits", "stages", "stage_delay_ns", "clock_mhz", "latency_ns", "lut", "ff", "dsp"};
+    if (chip->packs_registers) keys.emplace_back("logic_cells");
+    return summary(table, keys) + chip_note(*chip, "") +
+           (chip->packs_registers ? "A cell has a table and the register behind it.\n" : "") + notes +
+           part_columns("count", prices, counts) +
+           part_columns(
+               "LUT", prices, [](const Line& line) { return count(line.taken.luts); },
+               [](const Price& price) { return count(price.taken.luts); }) +
+           part_columns(
+               "FF", prices, [](const Line& line) { return count(line.taken.registers); },
+               [](const Price& price) { return count(price.taken.registers); });
+  }
+  // Where a test answers for several boxes the clock is left out, because the delay says the same and the page
+  // is narrow.
+  const bool one_box = std::all_of(prices.begin(), prices.end(), [](const Price& p) { return p.boxes == 1; });
+  const std::string head =
+      one_box ? summary(table, {"design", "bits", "stages", "stage_delay_ns", "clock_mhz", "latency_ns",
+                                "area_mm2", "area_pct", "adp_mm2_ns", "adp_pct"})
+              : summary(table, {"design", "bits", "stages", "stage_delay_ns", "latency_ns", "area_mm2",
+                                "boxes_per_test", "area_per_box_mm2", "area_pct", "adp_mm2_ns", "adp_pct"}) +
+                    fmt::format("ADP{} for each box that a test answers for.\n",
+                                table.baseline ? fmt::format(" and percent of {} are", table.baseline->design)
+                                               : " is");
+  return head + part_columns("count", prices, counts) +
+         part_columns(
+             "area mm2", prices, [](const Line& line) { return area::area_mm2(line.area_um2); },
+             [](const Price& price) { return area::area_mm2(price.area_um2); });
+}
+
+std::string by_stage_text(const AreaTable& table) {
+  const std::vector<Price> prices = prices_of(table);
+  if (const rtl::Chip* const chip = table.library->chip()) {
+    const std::string name = block_name(*chip);
+    const auto columns = [&](const rtl::ChipCells& taken) {
+      return fmt::format("{:>5}  {:>5}  {:>{}}", taken.luts, taken.registers, taken.blocks, name.size());
+    };
+    return stages_text(prices, {.heading = fmt::format("  LUT     FF  {}", name),
+                                .row = [&](const area::StagePrice& stage) { return columns(stage.taken); },
+                                .total = [&](const Price& price) { return columns(price.taken); }});
+  }
   const auto column = [](std::int64_t area_um2) { return fmt::format("{:>8}", area::area_mm2(area_um2)); };
   return stages_text(prices, {.heading = "area mm2",
                               .row = [&](const area::StagePrice& stage) { return column(stage.area_um2); },
                               .total = [&](const Price& price) { return column(price.area_um2); }});
-}
-
-std::string chip_text(const std::vector<Price>& prices, const rtl::Library& library,
-                      const std::string& notes) {
-  const rtl::Chip& chip = *library.chip();
-  std::vector<Cells> rows{
-      {"design", "bits", "stages", "delay", "clock", "latency", "LUT", "FF", block_name(chip)},
-      {"", "", "", "ns", "MHz", "ns", "", "", ""}};
-  if (chip.packs_registers) {
-    rows[0].emplace_back("cells");
-    rows[1].emplace_back();
-  }
-  const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
-  for (const Price& p : prices) {
-    rows.push_back({std::string(p.design), rtl::to_string(p.format), count(p.stages),
-                    area::delay_ns(p.stage_delay_ps), area::clock_mhz(p), area::delay_ns(p.latency_ps()),
-                    count(p.taken.luts), count(p.taken.registers), count(p.taken.blocks)});
-    if (p.logic_cells) rows.back().push_back(count(*p.logic_cells));
-  }
-  const std::string note =
-      fmt::format("On {}.{}{}\n", chip.device, chip.estimated ? " Delays are estimated." : "",
-                  chip.packs_registers ? "\nA cell has a table and the register behind it." : "");
-  return fitted(rows) + note + notes +
-         part_columns("count", prices, [&](const Line& line) { return count(line.n); }) +
-         part_columns(
-             "LUT", prices, [&](const Line& line) { return count(line.taken.luts); },
-             [&](const Price& price) { return count(price.taken.luts); }) +
-         part_columns(
-             "FF", prices, [&](const Line& line) { return count(line.taken.registers); },
-             [&](const Price& price) { return count(price.taken.registers); });
-}
-
-std::string chip_by_stage_text(const std::vector<Price>& prices, const rtl::Chip& chip) {
-  const std::string name = block_name(chip);
-  const auto columns = [&](const rtl::ChipCells& taken) {
-    return fmt::format("{:>5}  {:>5}  {:>{}}", taken.luts, taken.registers, taken.blocks, name.size());
-  };
-  return stages_text(prices, {.heading = fmt::format("  LUT     FF  {}", name),
-                              .row = [&](const area::StagePrice& stage) { return columns(stage.taken); },
-                              .total = [&](const Price& price) { return columns(price.taken); }});
-}
-
-std::string rates_text(const std::vector<RatedPrice>& units, const rtl::Library& library) {
-  const rtl::Chip* const chip = library.chip();
-  std::vector<Cells> rows{{"design", "bits", "II", "stages", "clock"}, {"", "", "", "", "MHz"}};
-  const auto add = [](Cells& row, const Cells& more) { row.insert(row.end(), more.begin(), more.end()); };
-  if (chip != nullptr) {
-    add(rows[0], {"LUT", "", "FF", "blocks", "boxes"});
-    add(rows[1], {"", "of II 1", "", "", "M/s"});
-  } else {
-    add(rows[0], {"area", "", "boxes", "x time"});
-    add(rows[1], {"mm2", "of II 1", "M/s", "mm2 ns"});
-  }
-  const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
-  std::vector<Price> prices;
-  for (const auto& [p, every_cycle] : units) {
-    rows.push_back({std::string(p.design), rtl::to_string(p.format), count(p.interval), count(p.stages),
-                    area::clock_mhz(p)});
-    const std::string rate = area::megaboxes_per_second(p);
-    if (chip != nullptr) {
-      add(rows.back(), {count(p.taken.luts), area::percent(p.taken.luts, every_cycle.taken.luts) + "%",
-                        count(p.taken.registers), count(p.taken.blocks), rate});
-    } else {
-      add(rows.back(), {area::area_mm2(p.area_per_box_um2()),
-                        area::percent(p.area_per_box_um2(), every_cycle.area_per_box_um2()) + "%", rate,
-                        area::adp_mm2_ns(p)});
-    }
-    prices.push_back(p);
-  }
-  std::string text = fitted(rows);
-  if (chip != nullptr)
-    text += fmt::format("On {}.{}{}\n", chip->device,
-                        chip->block ? fmt::format(" Blocks are {}.", chip->block->name) : "",
-                        chip->estimated ? " Delays are estimated." : "");
-  else
-    text += "Area is for each box; x time: times the time from one box to the next.\n";
-  return text + part_columns("count", prices, [&](const Line& line) { return count(line.n); });
 }
 
 }  // namespace hitpipe::cli

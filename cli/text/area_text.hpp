@@ -1,5 +1,5 @@
-// Prices of designs as text of 80 columns: a line for each design, then a column for each design; or a line
-// for each stage.
+// Prices of units as tables: rows for CSV and JSON, and text of 80 columns with a line for each unit and then a
+// column for each, or a line for each stage. A column is said once, for all of them.
 #pragma once
 
 #include <optional>
@@ -7,30 +7,30 @@
 #include <vector>
 
 #include "area_model/price.hpp"
+#include "cli/text/table.hpp"
 
 namespace hitpipe::cli {
-
-/// Percentages refer to `baseline`. Without one there are none. Percentages and area times delay are for
-/// each box; the rest is of the whole unit.
-[[nodiscard]] std::string area_text(const std::vector<area::Price>& prices,
-                                    const std::optional<area::Price>& baseline);
-
-[[nodiscard]] std::string by_stage_text(const std::vector<area::Price>& prices);
-
-/// The same for the library of a chip: lookup tables, registers and blocks in place of areas. The notes,
-/// lines, follow the units.
-[[nodiscard]] std::string chip_text(const std::vector<area::Price>& prices, const rtl::Library& library,
-                                    const std::string& notes);
-[[nodiscard]] std::string chip_by_stage_text(const std::vector<area::Price>& prices, const rtl::Chip& chip);
 
 /// A unit beside the same unit with a test in every cycle.
 struct RatedPrice {
   area::Price price;
-  area::Price every_cycle;
+  area::Price every_cycle;  ///< in a table of rates
 };
 
-/// Area against rate: a line for each unit and interval, then a column for each. Of a chip lookup tables,
-/// registers and blocks in place of areas.
-[[nodiscard]] std::string rates_text(const std::vector<RatedPrice>& units, const rtl::Library& library);
+struct AreaTable {
+  std::vector<RatedPrice> units;
+  const rtl::Library* library;  ///< of a chip: lookup tables, registers and blocks in place of areas
+  bool rates = false;           ///< area against rate: a unit at several intervals
+  /// Percentages refer to it, and without it there are none. Percentages and area times delay are for each box;
+  /// the rest is of the whole unit.
+  std::optional<area::Price> baseline{};
+};
+
+[[nodiscard]] std::vector<Row> area_rows(const AreaTable& table, OutputFormat format);
+/// `notes`, lines, follow the units of a chip.
+[[nodiscard]] std::string area_text(const AreaTable& table, const std::string& notes = "");
+
+[[nodiscard]] std::vector<Row> stage_rows(const AreaTable& table, OutputFormat format);
+[[nodiscard]] std::string by_stage_text(const AreaTable& table);
 
 }  // namespace hitpipe::cli
