@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """bench/pieces.py [PROGRAM [FOLDER]]: what it costs to cut work into 1, 8, 64 and 512 pieces, on one core. Prints the
-tables of docs/many_machines.md. Takes about half an hour; FOLDER keeps what is done, so that a second run goes on."""
+tables of docs/choosing.md. Takes about half an hour; FOLDER keeps what is done, so that a second run goes on."""
 import os
 import pathlib
 import shlex

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the table of docs/hls.md: Bambu's Verilog beside hitpipe's, from one C++ source. docs/bambu.py [VECTORS]
+"""Prints the table of docs/designs.md: Bambu's Verilog beside hitpipe's, from one C++ source. docs/bambu.py [VECTORS]
 
 It takes bambu and what `hitpipe implement --target xc7` takes. VECTORS, 6,000 unless given, are replayed through Bambu's
 Verilog; a wrong answer ends the run. Both are mapped by the target's commands; a unit's clock period is 5 ns in both.

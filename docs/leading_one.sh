@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the area of a product of 21 by 12 bits with the choice of its bound, in two forms (docs/major.md): docs/leading_one.sh
+# Prints the area of a product of 21 by 12 bits with the choice of its bound, in two forms (docs/never_misses.md): docs/leading_one.sh
 # It takes Yosys and the Debian package qflow-tech-osu018.
 set -euo pipefail
 cells=/usr/share/qflow/tech/osu018/osu018_stdcells.lib

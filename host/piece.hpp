@@ -1,5 +1,5 @@
 // A piece of work whose parts do not depend on each other, so that many machines can share it
-// (docs/many_machines.md).
+// (docs/choosing.md).
 #pragma once
 
 #include <cstdint>

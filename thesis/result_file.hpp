@@ -1,5 +1,5 @@
 // A result in a file, with all that the page of judged statements needs, so that machines can share the
-// tables (docs/many_machines.md).
+// tables (docs/choosing.md).
 #pragma once
 
 #include "thesis/result_text.hpp"

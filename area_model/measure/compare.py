@@ -2,7 +2,7 @@
 """Whole units in OSU 0.18 um cells, and what the area model says of them.
 
   area_model/measure/compare                  the tables of docs/chips.md, docs/measured/chips.md
-                                              and docs/major.md, from units.csv
+                                              and docs/never_misses.md, from units.csv
   area_model/measure/compare --plan           lists the units that the tables need, and which of them units.csv has
   area_model/measure/compare --run            synthesises all units that units.csv does not have, and adds them
   area_model/measure/compare DESIGN FORMAT    synthesises one unit and prints its line of units.csv
@@ -165,7 +165,7 @@ def component_table(_units):
 
 
 def small_table(units):
-    """The table of docs/major.md: Yosys's own recipe, for each box."""
+    """The table of docs/never_misses.md: Yosys's own recipe, for each box."""
     slabs = units.get(("thesis_250nm", "small", *table_7_2()[0]))
     print("| unit | mm² | registers | boxes a test | mm² a box | of fp_slabs |\n|---|--:|--:|--:|--:|--:|")
     for design, bits in DOCS_MAJOR:

@@ -1,5 +1,5 @@
 // What a file of a piece says of itself, and whether files are all pieces of one command
-// (docs/many_machines.md). It stands in the file, or for a sweep in the JSON file beside its rows.
+// (docs/choosing.md). It stands in the file, or for a sweep in the JSON file beside its rows.
 #pragma once
 
 #include <cstdint>

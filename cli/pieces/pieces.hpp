@@ -1,4 +1,4 @@
-// The options of a command whose work can be cut into pieces (docs/many_machines.md): --pieces N prints the
+// The options of a command whose work can be cut into pieces (docs/choosing.md): --pieces N prints the
 // commands of N pieces, --piece K/N does one of them, and --join makes one result of their files.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The operands of the major-axis unit for one box (docs/major.md). M is the axis of the direction's largest
+// The operands of the major-axis unit for one box (docs/never_misses.md). M is the axis of the direction's largest
 // component. The ray axes m, a and b hold what belongs to M and to the other two axes. An axis and M trade
 // places: ray axis a is y, or x when M is y; ray axis b is z, or x when M is z.
 //   D  a value domain;  F  the format, a MajorFormat<n, g, p, f> or MajorBits

@@ -1,4 +1,4 @@
-// The operands and results of the major-axis unit for two boxes (docs/major.md): a ray, where it enters and
+// The operands and results of the major-axis unit for two boxes (docs/never_misses.md): a ray, where it enters and
 // leaves their parent, and the six planes and owners that tell the two boxes apart.
 #pragma once
 

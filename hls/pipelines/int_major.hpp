@@ -1,7 +1,7 @@
 // Integer slabs with a major axis: does a ray meet a box? The distance along the ray is counted along its
 // largest direction component. On that axis a distance is a difference of coordinates. On the others it is
 // the difference times a quotient of two components, at least 1, with an exponent of its own. So no
-// component takes bits from another, however small it is. docs/major.md proves that the unit never misses.
+// component takes bits from another, however small it is. docs/never_misses.md proves that the unit never misses.
 // Widths: differences n+g bits, products n+g+p, distances n+F+1.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Integer slabs with a major axis for two boxes at a time: the children of one parent. The parent is the
 // union of the two, so each of its six planes is a plane of a child, and the parent's interval has measured
 // it already. Each face leaves one plane to measure: the plane of the child that does not reach the parent's
-// face. So two boxes take four multipliers. docs/major.md proves that a child is hit exactly
+// face. So two boxes take four multipliers. docs/never_misses.md proves that a child is hit exactly
 // when int_major hits its box.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the units with a major axis have in common (docs/major.md): planes brought into the ray axes m, a and
+// What the units with a major axis have in common (docs/never_misses.md): planes brought into the ray axes m, a and
 // b and mirrored, so that every direction is positive, and their distances along the ray. A distance counts
 // how far the ray has moved along its major axis, in units of the planes' grid with F fraction bits.
 #pragma once

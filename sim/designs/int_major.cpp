@@ -1,4 +1,4 @@
-// The operands of hls::IntMajorOperands (docs/major.md).
+// The operands of hls::IntMajorOperands (docs/never_misses.md).
 #include "sw_ref/trace/int_major.hpp"
 
 #include "sim/designs/major_design.hpp"

@@ -1,4 +1,4 @@
-// The operands of hls::IntMajorPairOperands (docs/major.md).
+// The operands of hls::IntMajorPairOperands (docs/never_misses.md).
 #include "sw_ref/trace/int_major_pair.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Records of the hierarchy for a unit that tests two boxes at a time (docs/major.md). A record stands for a
+// Records of the hierarchy for a unit that tests two boxes at a time (docs/never_misses.md). A record stands for a
 // branch. It has six planes on the n-bit grid, one for each face. It belongs to the child that does not reach
 // the face of their common box, and six owner bits tell which child that is. Two bits are the axis along
 // which the branch was split. Then come count and pointer of both children, 4 bytes each, as in Table 6.1

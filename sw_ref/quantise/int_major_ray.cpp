@@ -14,7 +14,7 @@
 
 namespace hitpipe::ref {
 
-// Why the unit never misses is in docs/major.md. What its proof takes from this file:
+// Why the unit never misses is in docs/never_misses.md. What its proof takes from this file:
 //   origin     r is nearest to o = G 2^g origin. In the mirrored world, where directions are positive, a tie
 //              goes down: o - 1/2 <= r < o + 1/2.
 //   quotient   the bounds of MajorQuotient; with the largest exponent and mantissas, |D_M| / |D_k| is greater

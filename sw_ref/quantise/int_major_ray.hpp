@@ -1,4 +1,4 @@
-// Ray set-up for the units with a major axis (docs/major.md): the origin on its fine grid, and for the two
+// Ray set-up for the units with a major axis (docs/never_misses.md): the origin on its fine grid, and for the two
 // other axes bounds of the quotient |D_M| / |D_k|, where M is the axis of the direction's largest component.
 // Every result is exact: the code computes with integers made of the binary32's mantissas and exponents.
 #pragma once

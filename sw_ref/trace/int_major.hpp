@@ -1,4 +1,4 @@
-// The box test of the unit with a major axis (docs/major.md) in 64-bit words, for any format chosen at run
+// The box test of the unit with a major axis (docs/never_misses.md) in 64-bit words, for any format chosen at run
 // time. It gives the same HIT as the datapath of hls/pipelines/int_major.hpp. It takes boxes of the n-bit
 // grid, grown for the finer origin, and is a SoftwareBoxTest (sw_ref/trace/traversal.hpp).
 #pragma once

@@ -1,4 +1,4 @@
-// The test of two boxes at a time (docs/major.md) in 64-bit words, for any format chosen at run time. It
+// The test of two boxes at a time (docs/never_misses.md) in 64-bit words, for any format chosen at run time. It
 // gives the same results as the datapath of hls/pipelines/int_major_pair.hpp.
 #pragma once
 

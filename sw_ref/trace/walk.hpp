@@ -183,7 +183,7 @@ class BvhPairs {
 };
 
 /// Records are a class with child(record, which) and split_axis(record). A unit for them is told where the ray
-/// is within the parent of the two boxes (docs/major.md).
+/// is within the parent of the two boxes (docs/never_misses.md).
 template <class World, class Records>
 class RecordWalk : public Walk<World> {
  public:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""many_machines.py PROGRAM SOURCE ENGINE: runs the recipe of docs/many_machines.md for parallel, make or slurm as it is
+"""many_machines.py PROGRAM SOURCE ENGINE: runs the recipe of docs/choosing.md for parallel, make or slurm as it is
 printed, and compares what the pieces join to with one run. Exit code 77: the engine is not installed."""
 import csv
 import os
@@ -14,7 +14,7 @@ import tempfile
 import time
 
 program, source, engine = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]), sys.argv[3]
-page = (source / "docs/many_machines.md").read_text()
+page = (source / "docs/choosing.md").read_text()
 folder = pathlib.Path(tempfile.mkdtemp(prefix="hitpipe-"))
 environment = {**os.environ, "PATH": f"{os.environ['PATH']}:/usr/sbin:/sbin"}
 

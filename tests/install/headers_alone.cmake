@@ -1,10 +1,10 @@
-# Configures the headers alone, installs them, and builds and runs against them the program that docs/hls.md prints.
+# Configures the headers alone, installs them, and builds and runs against them the program that docs/designs.md prints.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE ${WORK})
 set(PREFIX ${WORK}/prefix)
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/hls -DHITPIPE_TOOLS=OFF -DCMAKE_CXX_COMPILER=${CXX})
 run(${CMAKE_COMMAND} --install ${WORK}/hls --prefix ${PREFIX})
-set(page docs/hls.md)
+set(page docs/designs.md)
 fence(cpp 1 program)
 file(WRITE ${WORK}/source/consumer.cpp "${program}")
 file(COPY ${SOURCE}/tests/install/consumer/CMakeLists.txt DESTINATION ${WORK}/source)

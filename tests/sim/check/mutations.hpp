@@ -1,4 +1,4 @@
-// Faults of the set-up of rays and boxes (sections 6.2.1 and 6.3.1, docs/major.md) and of the datapath of the
+// Faults of the set-up of rays and boxes (sections 6.2.1 and 6.3.1, docs/never_misses.md) and of the datapath of the
 // integer units.
 #pragma once
 
