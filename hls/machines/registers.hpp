@@ -1,14 +1,14 @@
 // What the host says to a core and reads of it (docs/core.md): registers behind AXI4-Lite. Words have 32
 // bits; an address is that of a word, and its two low bits are ignored. A word that is not in this list reads
-// as 0, and to write it changes nothing.
+// as 0, and to write it changes nothing. A number that is too large for its register becomes the largest there.
 //   0x00  identity        0x04  version
-//   0x10  base address of the image: low word, a multiple of 32; 0x14: high word
+//   0x10  base address of the image: low word, a multiple of 32; 0x14: high word, without bits above the bus
 //   0x18  number of the image's last block
 //   0x1c  records that a ray may test
 //   0x20  rays in flight; 0 after a reset, and then no ray begins. Only a reset makes them fewer
 //   0x24  counters: a write makes all 0
 //   0x40  counters, of two words each, the low one first: cycles, rays that have begun, answers, answers with
-//         a hit, records that were asked for, triangles that were asked for, cycles without a request, cycles
+//         a hit that have not failed, records that were asked for, triangles that were asked for, cycles without a request, cycles
 //         in which memory took no request
 #pragma once
 
@@ -103,7 +103,8 @@ struct Registers {
   using BuiltIn = FormatList<Fixed<RegisterBits{24, 32, 5, 40}>>;
   struct In
       : List<awvalid, awaddr, wvalid, wdata, wstrb, bready, arvalid, araddr, rready, ray_valid, ray_ready,
-             Hits::valid, Hits::ready, Hits::number, request_valid, request_ready, request_id> {};
+             Hits::valid, Hits::ready, Hits::number, Hits::failed, request_valid, request_ready, request_id> {
+  };
   struct Out : Join<List<awready, wready, bvalid, bresp, arready, rvalid, rdata, rresp>, Settings> {};
   struct State : List<has_place, has_word, write_place, written_word, strobes, written, has_read, gives,
                       read_place, given, base_r, last_r, most_steps_r, most_rays_r, count_cycles, count_rays,
@@ -195,7 +196,9 @@ struct Registers {
     next[base_r] = slice(changed(address, masks(base_at, high_base_at)), width_of(now[base_r]) + 4_w, 5_w);
     const auto write_low = [&](auto field, int at) {
       const auto word = changed(two_words(now[field]), masks(at, 0));
-      next[field] = slice(word, width_of(now[field]) - 1_w, 0_w);
+      const auto width = width_of(now[field]);
+      const Bit above = any<D>(slice(word, 63_w, width));
+      next[field] = slice(word, width - 1_w, 0_w) | spread(above, width);
     };
     write_low(last_r, last_at);
     write_low(most_steps_r, most_steps_at);
@@ -215,7 +218,7 @@ struct Registers {
     add(count_cycles, D::lit(1, 1_w));
     add(count_rays, in[ray_valid] & in[ray_ready]);
     add(count_answers, answers);
-    add(count_hits, answers & any<D>(~in[Hits::number]));
+    add(count_hits, answers & ~in[Hits::failed] & any<D>(~in[Hits::number]));
     add(count_records, asked & ~triangle);
     add(count_triangles, asked & triangle);
     add(count_idle, ~in[request_valid]);

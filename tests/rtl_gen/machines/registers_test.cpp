@@ -89,9 +89,9 @@ TEST_F(CoreRegisters, KeepWhatIsWritten) {
     const Word change = order == Order::together ? 0U : order == Order::address_first ? 0x10U : 0x20U;
     write(0x10, 0x87654321U ^ change, order);
     write(0x14, 0xfedcba98U, order);
-    write(0x18, 0xffabcdefU ^ change, order);
+    write(0x18, 0x000bcdefU ^ change, order);
     write(0x1c, 0x00054321U ^ change, order);
-    write(0x20, 0xffffff55U, order);
+    write(0x20, 0x00000055U, order);
     EXPECT_EQ(read(0x10), (0x87654321U ^ change) & ~31U) << "a multiple of 32";
     EXPECT_EQ(read(0x14), 0x98U) << "of 40 bits";
     EXPECT_EQ(read(0x18), (0xbcdefU ^ change)) << "of 20 bits";
@@ -114,6 +114,26 @@ TEST_F(CoreRegisters, TakeSingleBytesAndOnlyWhatTheyHave) {
   EXPECT_EQ(read(0x00), 0x48697470U);
   for (const Word address : {0x08U, 0x0cU, 0x24U, 0x28U, 0x3cU, 0x80U, 0xfcU}) EXPECT_EQ(read(address), 0U);
   EXPECT_EQ(read(0x1b), 0x17799U) << "two low bits of an address are ignored";
+}
+
+TEST_F(CoreRegisters, TakeTheLargestForWhatIsTooLarge) {
+  for (const Word large : {0x100000U, 0x80000000U, 0xffffffffU}) {
+    write(0x18, large);
+    EXPECT_EQ(read(0x18), 0xfffffU);
+    write(0x1c, 5);
+    write(0x1c, large);
+    EXPECT_EQ(read(0x1c), 0xfffffU);
+    write(0x20, 5);
+    write(0x20, large);
+    EXPECT_EQ(read(0x20), 0x7fU);
+    EXPECT_EQ(registers_.out["most_rays"], 0x7fU);
+  }
+  write(0x20, 0x80);
+  EXPECT_EQ(read(0x20), 0x7fU) << "the first that is too large";
+  write(0x20, 0x7f);
+  EXPECT_EQ(read(0x20), 0x7fU);
+  write(0x1c, 0x10, Order::together, 4);
+  EXPECT_EQ(read(0x1c), 0xffffU) << "bytes without a strobe stay";
 }
 
 TEST_F(CoreRegisters, HoldAnAnswerWhileTheNextIsWanted) {
@@ -170,12 +190,13 @@ TEST_F(CoreRegisters, CountWhatHappens) {
   happens({"hit_ready"}, 0, 0, 3);
   happens({"hit_valid", "hit_ready"}, 7, 0, 11);
   happens({"hit_valid", "hit_ready"}, none, 0, 13);
+  happens({"hit_valid", "hit_ready", "hit_failed"}, 7, 0, 9);
   happens({"request_valid", "request_ready"}, 0, 5, 17);
   happens({"request_valid", "request_ready"}, 0, triangle | 5, 19);
   happens({"request_valid"}, 0, triangle, 23);
   EXPECT_EQ(counter(rays), 5U);
-  EXPECT_EQ(counter(answers), 24U);
-  EXPECT_EQ(counter(hits), 11U);
+  EXPECT_EQ(counter(answers), 33U);
+  EXPECT_EQ(counter(hits), 11U) << "an answer that has failed is no hit";
   EXPECT_EQ(counter(records), 17U);
   EXPECT_EQ(counter(triangles), 19U);
   EXPECT_EQ(counter(refused), 23U);
