@@ -46,10 +46,10 @@ def both(unit, target, seeds):
 def main():
     seeds = sys.argv[1] if len(sys.argv) > 1 else "3"
     OUT.mkdir(parents=True, exist_ok=True)
-    print("| unit | in | MHz estimated | placed | % | LUT estimated | mapped | % | logic cells estimated | packed | % |")
-    print("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|")
     errors = {}
     for target in TARGETS:
+        print(f"| in {target} | MHz | placed | % | LUT | mapped | % | cells | packed | % |")
+        print("|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|")
         for unit in UNITS:
             estimate, placed = both(unit, target, seeds)
             if placed["not_placed"] is not None:
@@ -68,8 +68,9 @@ def main():
                 cells += [f"{guess:,.0f}", f"{truth:,.0f}", f"{error:+.0f}"]
             design, bits, interval, flow = unit
             name = f"{design} {bits}" + (f", `--ii {interval}`" if interval > 1 else "") + (", stalls" if flow == "stall" else "")
-            print(f"| {name} | {target} | " + " | ".join(cells) + " |", flush=True)
-    print("\n| in | of | units | median error, % | worst, % |\n|---|---|--:|--:|--:|")
+            print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
+        print()
+    print("| in | of | units | median error, % | worst, % |\n|---|---|--:|--:|--:|")
     for (target, what), values in errors.items():
         print(f"| {target} | {what} | {len(values)} | {statistics.median(values):.0f} | {max(values):.0f} |")
 

@@ -8,7 +8,7 @@ program=${3:-build/hitpipe}
 out=out/fit
 mkdir -p "$out"
 
-echo "| scene | design | bits | dropped x y z | mm² before | after | saved % | stages | bytes per node | extra box tests % |"
+echo "| scene | design | bits | dropped | mm² before | after | saved % | stages | node | extra tests % |"
 echo "|---|---|---|---|---|---|---|---|---|---|"
 # The columns by their names; those used stand before any that may hold a comma.
 fit() {

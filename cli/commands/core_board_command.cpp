@@ -80,23 +80,23 @@ int trace_by_board(const CoreBoardCommand& choice) {
   const ref::CoreImage image = ref::core_image(scene);
   sim::check_fits(core, image);
   progress.emplace("walking in software");
+  const ref::RenderOptions drawing{.width = choice.scene.width,
+                                   .height = choice.scene.height,
+                                   .progress = [&](double share) { progress->show(share); }};
   const sim::PictureRays picture = sim::picture_rays(
       scene, image,
       {.world = options.bits.world(), .boxes = options.bits.boxes(), .places = 1 << options.stack_bits},
-      {.width = choice.scene.width, .height = choice.scene.height, .progress = [&](double share) {
-         progress->show(share);
-       }});
+      drawing);
   progress.emplace("writing the image");
   const auto show = [&](double share) { progress->show(share); };
   const sim::FrameLink::Counts written = link.write(image, show);
   progress.emplace("tracing");
   std::vector<sim::CoreAnswer> answers(picture.jobs.size());
   const sim::FrameLink::Counts traced = link.run(picture.jobs, answers, show);
-  progress.reset();
-
   const std::uint64_t wrong = picture.wrong(answers);
   const auto hits = std::count_if(answers.begin(), answers.end(),
                                   [](const sim::CoreAnswer& answer) { return answer.hit.found(); });
+  progress.reset();
   Row row{{"core", core.module},
           {"bits", text_of(core)},
           {"port", choice.port},
@@ -118,9 +118,10 @@ int trace_by_board(const CoreBoardCommand& choice) {
     fmt::print(stderr, "hitpipe: {} of {} answers are not those of software\n", wrong, answers.size());
     return 1;
   }
-  // Software's picture, which is the board's since all answers are the same.
-  if (!choice.out.empty())
-    ref::write_image(picture_file, choice.scene.width, choice.scene.height, picture.image);
+  if (!choice.out.empty()) {
+    progress.emplace("drawing");
+    ref::write_image(picture_file, choice.scene.width, choice.scene.height, picture.drawn(answers, drawing));
+  }
   return 0;
 }
 

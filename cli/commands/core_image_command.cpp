@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
@@ -36,6 +38,8 @@ struct ImageCommand {
   ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
   std::string out;
+  std::string check;  ///< a file to read in place of writing one
+  std::optional<int> block_bits;
   std::vector<int> places;
   CacheChoice caches;
   OutputFormat format = OutputFormat::text;
@@ -49,6 +53,60 @@ std::string bytes_of(const ref::CoreImage& image) {
     for (const std::uint64_t word : block)
       for (unsigned byte = 0; byte < 8; ++byte) bytes += static_cast<char>(word >> 8 * byte & 0xff);
   return bytes;
+}
+
+std::vector<ref::CoreBlock> blocks_of(const std::string& bytes, const std::string& file) {
+  if (bytes.size() % ref::core_block_bytes != 0)
+    throw std::runtime_error(fmt::format("{}: has {} bytes; allowed are whole blocks of {}", file,
+                                         bytes.size(), ref::core_block_bytes));
+  std::vector<ref::CoreBlock> blocks(bytes.size() / ref::core_block_bytes);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const std::uint64_t byte = static_cast<unsigned char>(bytes[i]);
+    blocks[i / ref::core_block_bytes][i % ref::core_block_bytes / 8] |= byte << 8 * (i % 8);
+  }
+  return blocks;
+}
+
+Row figures_of(const ref::CoreImage& image) {
+  return {{"records", image.records},
+          {"levels", image.levels},
+          {"blocks", image.blocks.size()},
+          {"bytes", image.bytes()}};
+}
+
+void check_image(const ImageCommand& command) {
+  std::vector<ref::CoreBlock> blocks = blocks_of(host::read_file(command.check), command.check);
+  Row row{{"file", command.check}};
+  try {
+    const ref::CoreImage image = ref::checked_image(std::move(blocks));
+    row.update({{"triangles", image.triangles}});
+    row.update(figures_of(image));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", command.check, error.what()));
+  }
+  fmt::print("{}", record_text(row, command.format));
+}
+
+/// Refuses an image that a core's numbers of blocks are too short for.
+void check_block_bits(const ImageCommand& command, const ref::CoreImage& image) {
+  if (!command.block_bits || image.blocks.size() <= std::uint64_t{1} << *command.block_bits) return;
+  int needed = *command.block_bits;
+  while (image.blocks.size() > std::uint64_t{1} << needed) ++needed;
+  throw std::runtime_error(fmt::format("--block-bits {}: the image has {} blocks; allowed is {} and more",
+                                       *command.block_bits, image.blocks.size(), needed));
+}
+
+/// What whoever uses the image must know and cannot read in it: where the mesh went, and which of its triangles
+/// are not there. A triangle's number is its place in the order of the source; a face of several triangles has
+/// several numbers.
+Row beside(const Row& row, const ref::IntScene& scene, const CLI::App& parsed) {
+  const ref::Mesh& mesh = scene.mesh.mesh;
+  Row about = notes_of(parsed, scene.scene);
+  about["image"] = row;
+  about["units_of_a_corner_in_half_the_cube"] = (1 << (scene.bits.coord - 2)) - 1;
+  about["dropped_triangles"] = mesh.dropped;
+  about["first_triangle_of_face"] = mesh.faces;
+  return about;
 }
 
 /// What the rays of the scene's picture read of the image, a row for each size of the stack.
@@ -92,9 +150,10 @@ std::vector<Row> reads_of(const ImageCommand& command, const ref::IntScene& scen
   return rows;
 }
 
-void write_image(ImageCommand command) {
+void write_image(ImageCommand command, const CLI::App& parsed) {
   const auto bits = rtl::parse_bits<hls::WorldBits>(command.bits);
-  if (!command.out.empty()) host::announce_output("--out", command.out);
+  if (!command.out.empty())
+    for (const char* const ending : {"", ".json"}) host::announce_output("--out", command.out + ending);
   command.hierarchy.build.threads = command.scene.threads;
   std::optional<Progress> progress("reading the scene");
   const ref::IntScene scene = command.scene.in_integers(command.scene.load(), bits, command.hierarchy);
@@ -104,13 +163,12 @@ void write_image(ImageCommand command) {
           {"bits", rtl::to_string(rtl::Format(bits))},
           {"hierarchy", command.hierarchy.name()}};
   row.update(scene_row(scene));
-  row.update({{"records", image.records},
-              {"levels", image.levels},
-              {"blocks", image.blocks.size()},
-              {"bytes", image.bytes()}});
+  row.update(figures_of(image));
+  check_block_bits(command, image);
   if (!command.out.empty()) {
-    host::write_file(command.out, bytes_of(image));
     row["file"] = command.out;
+    host::write_file(command.out, bytes_of(image));
+    host::write_file(command.out + ".json", record_text(beside(row, scene, parsed), OutputFormat::json));
   }
   progress.reset();
   if (command.places.empty()) {
@@ -139,7 +197,19 @@ CLI::App* add_core_image_command(CLI::App& core, int& /*exit_code*/) {
   command->add_option("--bits", options->bits, "Format of the integer world, n+gsS")
       ->capture_default_str()
       ->type_name("FORMAT");
-  as_output(command->add_option("--out", options->out, "Write the blocks to this file"));
+  as_output(command->add_option(
+      "--out", options->out,
+      "Write the blocks to this file, and beside it, as FILE.json, where the mesh lies in "
+      "the image and which triangles it lacks"));
+  add_count_option(*command, "--block-bits", options->block_bits, {4, 32},
+                   "Refuse an image with more blocks than a core of `core rtl --block-bits N` reads");
+  CLI::Option* const check =
+      as_input(
+          command->add_option("--check", options->check,
+                              "Judge a file in place of writing one: each block is reached once, and boxes "
+                              "hold what is in them"))
+          ->type_name("FILE");
+  needs_one_of(*command, {command->get_option("--scene")->required(false), check});
   constexpr int most_places = 60;
   CLI::Option* const places = command->add_option(
       "--stack", options->places,
@@ -147,9 +217,12 @@ CLI::App* add_core_image_command(CLI::App& core, int& /*exit_code*/) {
   places->delimiter(',')->transform(number_from(0, most_places))->type_name("N");
   add_cache_options(*command, options->caches)->needs(places);
   add_format_option(*command, options->format);
+  exclude_all_but(*command, check, {"--format"}, "the file is there");
   add_examples(*command, {"hitpipe core image --scene spheres --out spheres.bin",
                           "hitpipe core image --scene terrain --stack 4,8 --cache 16"});
-  command->callback([options] { write_image(*options); });
+  command->callback([options, command] {
+    options->check.empty() ? write_image(*options, *command) : check_image(*options);
+  });
   return command;
 }
 

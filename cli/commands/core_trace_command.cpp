@@ -130,22 +130,19 @@ class Tracing {
       const host::Piece::Range mine = part.range(list_.size());
       return sim::listed_rays(scene_, image_, walking_, std::span(list_).subspan(mine.first, mine.size()));
     }
-    return sim::picture_rays(scene_, image_, walking_,
-                             {.width = command_.scene.width,
-                              .height = command_.scene.height,
-                              .tiles = part,
-                              .picture = !command_.pieces.piece});
+    return sim::picture_rays(scene_, image_, walking_, of_picture(part));
+  }
+  /// How the rays of a part are rendered.
+  [[nodiscard]] ref::RenderOptions of_picture(host::Piece part) const {
+    return {.width = command_.scene.width,
+            .height = command_.scene.height,
+            .tiles = part,
+            .picture = !command_.pieces.piece};
   }
 
-  /// `answers` is where a core's answers are kept, by ray of the list.
+  using Keep = std::function<void(std::span<const sim::CoreAnswer>)>;
   [[nodiscard]] sim::CoreTrace trace(std::size_t core, const sim::PictureRays& rays,
-                                     const std::function<void(double)>& progress,
-                                     std::vector<CoreRayAnswer>* answers) const {
-    const auto keep = [&](std::span<const sim::CoreAnswer> given) {
-      if (answers == nullptr) return;
-      for (std::size_t i = 0; i < given.size(); ++i)
-        answers->push_back({given[i].hit, given[i].failed, rays.triangles[i]});
-    };
+                                     const std::function<void(double)>& progress, const Keep& keep) const {
     return sim::trace_core(cores_[core], *machines_[core], image_, rays, command_.memory, progress, keep);
   }
 
@@ -207,7 +204,7 @@ std::filesystem::path picture_file(const TraceCommand& command, const std::strin
   return std::filesystem::path(command.out) / (std::filesystem::path(scene).stem().string() + ".png");
 }
 
-/// Does the runs of a piece, and writes the answers. `picture` gets what their rays show, `scene` the name,
+/// Does the runs of a piece, and writes the answers. `picture` gets what the last core's answers show, `scene` the name,
 /// `about` what is said of all.
 std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, host::Piece piece,
                          std::vector<glm::vec3>& picture, std::string& scene, Row& about) {
@@ -218,7 +215,8 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
   about = {{"hierarchy", command.hierarchy.text()},
            {"cache", command.memory.cache_kib > 0},
            {"mesh", tracing.mesh()}};
-  if (!command.pieces.piece && !command.out.empty()) {
+  const bool draws = !command.pieces.piece && !command.out.empty();
+  if (draws) {
     host::make_folder(command.out);
     ref::check_image_place(picture_file(command, scene));
   }
@@ -238,11 +236,16 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
     if (part != i / cores) {
       part = i / cores;
       rays = tracing.rays({*part + 1, command.parts});
-      picture.resize(rays.image.size());
-      for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) picture[pixel] += rays.image[pixel];
     }
-    runs.push_back(
-        {i % cores, tracing.trace(i % cores, rays, show, file.wanted() ? &answers[i % cores] : nullptr)});
+    const auto keep = [&](std::span<const sim::CoreAnswer> given) {
+      for (std::size_t ray = 0; file.wanted() && ray < given.size(); ++ray)
+        answers[i % cores].push_back({given[ray].hit, given[ray].failed, rays.triangles[ray]});
+      if (!draws || i % cores + 1 != cores) return;
+      const std::vector<glm::vec3> drawn = rays.drawn(given, tracing.of_picture({*part + 1, command.parts}));
+      picture.resize(drawn.size());
+      for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) picture[pixel] += drawn[pixel];
+    };
+    runs.push_back({i % cores, tracing.trace(i % cores, rays, show, keep)});
   }
   if (file.wanted())
     for (std::size_t core = 0; core < cores; ++core)
@@ -274,7 +277,6 @@ int trace_scene(TraceCommand command, const CLI::App& parsed) {
   const auto all = [&] {
     const std::vector<CoreRun> runs = run(command, parsed, {}, picture, scene, about);
     const bool right = report(runs, about, command.format);
-    // Software's picture, so it is the core's only if all answers are the same.
     if (right && !command.out.empty())
       ref::write_image(picture_file(command, scene), command.scene.width, command.scene.height, picture);
     return right ? 0 : 1;

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <mutex>
 #include <span>
 #include <stdexcept>
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-
-#include "host/parallel.hpp"
 #include "sim/check/shares.hpp"
 #include "sim/unit/drive.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
@@ -80,32 +76,6 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
   return result;
 }
 
-/// The results of the batches that have ended, in any order.
-class Sums {
- public:
-  explicit Sums(const std::vector<Category>& categories)
-      : results_(categories.size()), first_misses_(categories.size()) {
-    for (std::size_t c = 0; c < categories.size(); ++c) results_[c].category = categories[c].name;
-  }
-
-  void add(const Batch& batch, const CategoryResult& result) {
-    const std::scoped_lock lock(adding_);
-    std::uint64_t& first = first_misses_[batch.category];
-    CategoryResult& sum = results_[batch.category];
-    if (result.false_miss && (!sum.false_miss || batch.number < first)) {
-      first = batch.number;
-      sum.false_miss = result.false_miss;
-    }
-    sum += result;
-  }
-  [[nodiscard]] std::vector<CategoryResult> results() const { return results_; }
-
- private:
-  std::mutex adding_;
-  std::vector<CategoryResult> results_;
-  std::vector<std::uint64_t> first_misses_;  // batches of the false misses that are kept
-};
-
 }  // namespace
 
 CategoryResult& CategoryResult::operator+=(const CategoryResult& later) {
@@ -121,30 +91,7 @@ CategoryResult& CategoryResult::operator+=(const CategoryResult& later) {
 }
 
 std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& options) {
-  const std::size_t categories = options.categories.size();
-  if (categories == 0) return {};
-  const Shares shares(options.tests, categories);
-  const host::Piece::Range mine = options.piece.range(shares.batches());
-  Sums sums(options.categories);
-
-  struct Worker {
-    std::unique_ptr<BoxTest> test;
-    std::optional<Model> rtl;
-  };
-  oneapi::tbb::enumerable_thread_specific<Worker> workers([&] {
-    Worker worker{make(), std::nullopt};
-    if (options.rtl != nullptr) worker.rtl.emplace(*options.rtl);
-    return worker;
-  });
-  const auto judge = [&](std::size_t i) {
-    Worker& worker = workers.local();
-    const Batch batch = shares[mine.first + i];
-    sums.add(batch, judge_batch(*worker.test, options.categories[batch.category],
-                                stream(options.seed, batch.category, batch.number), batch.tests,
-                                worker.rtl ? &*worker.rtl : nullptr));
-  };
-  host::for_each_index(mine.size(), options.threads, judge, options.progress);
-  return sums.results();
+  return judge_by_category<CategoryResult>(options, make, judge_batch, &CategoryResult::false_miss);
 }
 
 bool is_false_miss(BoxTest& test, const Case& c) {

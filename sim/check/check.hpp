@@ -3,32 +3,19 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "host/piece.hpp"
 #include "sim/check/box_test.hpp"
-#include "sim/unit/verilated_design.hpp"
+#include "sim/check/shares.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/interval.hpp"
 
 namespace hitpipe::sim {
 
-struct CheckOptions {
-  std::vector<ref::adversary::Category> categories;  ///< which to draw from
-  /// Of all categories, which have equal shares. A remainder goes to the first categories, one test each.
-  std::uint64_t tests = 1'000'000;
-  std::uint64_t seed = 1;
-  host::Piece piece{};  ///< of the batches of tests (shares.hpp); only these are judged
-  int threads = 1;
-  const VerilatedDesign* rtl =
-      nullptr;  ///< answers each test too, when given; the box test has its operands and results
-  /// Told the finished share of the tests, 0..1, from any thread.
-  std::function<void(double)> progress = [](double) {};
-};
+using CheckOptions = CheckOptionsOf<ref::adversary::Category>;
 
 struct CategoryResult {
   std::string category;

@@ -1,11 +1,7 @@
 #include "sim/check/triangle_check.hpp"
 
 #include <array>
-#include <mutex>
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-
-#include "host/parallel.hpp"
 #include "sim/check/shares.hpp"
 #include "sim/unit/drive.hpp"
 
@@ -20,8 +16,8 @@ bool same(const std::optional<ref::IntCrossing>& unit, const std::optional<ref::
   return unit->t == exact->t && unit->det == exact->det && (!has_weights || unit->e == exact->e);
 }
 
-TriangleCategoryResult judge_batch(TriangleTest& test, const ref::IntCategory& category, std::uint64_t seed,
-                                   std::uint64_t tests, Model* rtl) {
+TriangleCategoryResult judge_triangles(TriangleTest& test, const ref::IntCategory& category,
+                                       std::uint64_t seed, std::uint64_t tests, Model* rtl) {
   ref::adversary::Random random(seed);
   const hls::WorldBits& world = test.world();
   std::vector<std::int64_t> operands(test.operand_count());
@@ -69,40 +65,8 @@ TriangleCategoryResult& TriangleCategoryResult::operator+=(const TriangleCategor
 
 std::vector<TriangleCategoryResult> check_triangles(const MakeTriangleTest& make,
                                                     const TriangleCheckOptions& options) {
-  const std::size_t categories = options.categories.size();
-  if (categories == 0) return {};
-  const Shares shares(options.tests, categories);
-  const host::Piece::Range mine = options.piece.range(shares.batches());
-  std::vector<TriangleCategoryResult> sums(categories);
-  for (std::size_t c = 0; c < categories; ++c) sums[c].category = options.categories[c].name;
-  std::vector<std::uint64_t> first(categories);  // batches of the wrong answers that are kept
-  std::mutex adding;
-
-  struct Worker {
-    std::unique_ptr<TriangleTest> test;
-    std::optional<Model> rtl;
-  };
-  oneapi::tbb::enumerable_thread_specific<Worker> workers([&] {
-    Worker worker{make(), std::nullopt};
-    if (options.rtl != nullptr) worker.rtl.emplace(*options.rtl);
-    return worker;
-  });
-  const auto judge = [&](std::size_t i) {
-    Worker& worker = workers.local();
-    const Batch batch = shares[mine.first + i];
-    const TriangleCategoryResult result = judge_batch(*worker.test, options.categories[batch.category],
-                                                      stream(options.seed, batch.category, batch.number),
-                                                      batch.tests, worker.rtl ? &*worker.rtl : nullptr);
-    const std::scoped_lock lock(adding);
-    TriangleCategoryResult& sum = sums[batch.category];
-    if (result.first_wrong && (!sum.first_wrong || batch.number < first[batch.category])) {
-      first[batch.category] = batch.number;
-      sum.first_wrong = result.first_wrong;
-    }
-    sum += result;
-  };
-  host::for_each_index(mine.size(), options.threads, judge, options.progress);
-  return sums;
+  return judge_by_category<TriangleCategoryResult>(options, make, judge_triangles,
+                                                   &TriangleCategoryResult::first_wrong);
 }
 
 }  // namespace hitpipe::sim

@@ -4,27 +4,18 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "host/piece.hpp"
+#include "sim/check/shares.hpp"
 #include "sim/check/triangle_test.hpp"
-#include "sim/unit/verilated_design.hpp"
 #include "sw_ref/world/int_cases.hpp"
 
 namespace hitpipe::sim {
 
-struct TriangleCheckOptions {
-  std::vector<ref::IntCategory> categories;  ///< which to draw from
-  std::uint64_t tests = 1'000'000;           ///< of all categories, which have equal shares
-  std::uint64_t seed = 1;
-  host::Piece piece{};  ///< of the batches of tests (shares.hpp); only these are judged
-  int threads = 1;
-  const VerilatedDesign* rtl = nullptr;  ///< answers each test too, when given
-  /// Told the finished share of the tests, 0..1, from any thread.
-  std::function<void(double)> progress = [](double) {};
-};
+using TriangleCheckOptions = CheckOptionsOf<ref::IntCategory>;
 
 struct TriangleCategoryResult {
   std::string category;

@@ -1,7 +1,5 @@
 #include "sim/core/picture_rays.hpp"
 
-#include <utility>
-
 #include "sw_ref/scene/triangle_numbers.hpp"
 #include "sw_ref/world/int_ray.hpp"
 #include "sw_ref/world/int_tracer.hpp"
@@ -36,30 +34,65 @@ class RecordingTracer final : public ref::Tracer {
   PictureRays& kept_;
 };
 
-/// Whether the answer's weights are those of the triangle that it names.
-bool has_its_weights(const CoreJob& job, const CoreAnswer& answer, const ref::IntScene* of) {
-  if (!answer.weights || !answer.hit.found()) return true;
-  const ref::IntScene& scene = *of;
-  const std::uint32_t triangle = ref::TriangleNumbers(scene.mesh.mesh).in_mesh(answer.hit.triangle);
+/// Answers what a core answered, in the order in which the rays were recorded.
+class ReplayingTracer final : public ref::Tracer {
+ public:
+  ReplayingTracer(const ref::IntScene& scene, std::span<const CoreAnswer> answers)
+      : numbers_(scene.mesh.mesh), answers_(answers) {}
+
+  void trace(const ref::TraceJob& job, ref::TraceCounts& counts) const override {
+    for (std::uint32_t& triangle : job.triangles) {
+      const CoreAnswer answer = next_ < answers_.size() ? answers_[next_++] : CoreAnswer{};
+      triangle = answer.hit.found() ? numbers_.in_mesh(answer.hit.triangle) : ref::IntHit::none;
+    }
+    counts.rays += job.rays.size();
+  }
+  [[nodiscard]] std::size_t bytes_per_node() const override { return 0; }
+  [[nodiscard]] std::size_t node_count() const override { return 0; }
+
+ private:
+  ref::TriangleNumbers numbers_;
+  std::span<const CoreAnswer> answers_;
+  mutable std::size_t next_ = 0;
+};
+
+/// Whether T, and the weights if there are any, are those of the triangle that the answer names. Without a hit
+/// T is the ray's length. Of a ray for any hit T is not promised.
+bool has_its_numbers(const ref::IntScene& scene, const ref::TriangleNumbers& numbers, const CoreJob& job,
+                     const CoreAnswer& answer) {
+  const ref::IntRay ray = ref::int_ray(job.ray, scene.bits);
+  if (!answer.hit.found()) return job.any || answer.hit.t == ray.length;
+  const std::uint32_t triangle = numbers.in_mesh(answer.hit.triangle);
   if (triangle == ref::TriangleNumbers::none) return false;
-  const auto crossing =
-      ref::int_crossing(ref::int_ray(job.ray, scene.bits), scene.mesh.triangles[triangle], scene.bits);
+  const auto crossing = ref::int_crossing(ray, scene.mesh.triangles[triangle], scene.bits);
+  if (!crossing || (!job.any && answer.hit.t != crossing->t)) return false;
+  if (!answer.weights) return true;
   const auto size = [&](ref::Int128 x, int shift) { return (x < 0 ? -x : x) << shift; };
   const int g = scene.bits.finer;
-  return crossing && size(answer.weights->det, 2 * g) == crossing->det &&
-         size(answer.weights->u, g) == crossing->e[1] && size(answer.weights->v, g) == crossing->e[2];
+  return size(answer.weights->det, 2 * g) == crossing->det && size(answer.weights->u, g) == crossing->e[1] &&
+         size(answer.weights->v, g) == crossing->e[2];
 }
 
 }  // namespace
 
 std::uint64_t PictureRays::wrong(std::span<const CoreAnswer> answers) const {
+  const ref::TriangleNumbers numbers(scene->mesh.mesh);
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const ref::Query query = jobs[i].any ? ref::Query::any : ref::Query::closest;
     const bool same = ref::same_answer(query, answers[i].hit.triangle, triangles[i]);
-    if (!same || answers[i].failed || !has_its_weights(jobs[i], answers[i], scene)) ++count;
+    if (!same || answers[i].failed || !has_its_numbers(*scene, numbers, jobs[i], answers[i])) ++count;
   }
   return count;
+}
+
+std::vector<glm::vec3> PictureRays::drawn(std::span<const CoreAnswer> answers,
+                                          ref::RenderOptions render) const {
+  const ReplayingTracer tracer(*scene, answers);
+  const ref::IntSurfaces surfaces(*scene);
+  render.surfaces = &surfaces;
+  render.threads = 1;
+  return ref::render(scene->scene, tracer, render).image;
 }
 
 PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image,
@@ -70,9 +103,8 @@ PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image
   const ref::IntSurfaces surfaces(scene);
   render.surfaces = &surfaces;
   render.threads = 1;
-  ref::RenderResult rendered = ref::render(scene.scene, tracer, render);
+  const ref::RenderResult rendered = ref::render(scene.scene, tracer, render);
   kept.work = rendered.counts.total();
-  kept.image = std::move(rendered.image);
   kept.restarts = tracer.restarts();
   return kept;
 }

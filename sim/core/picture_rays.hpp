@@ -16,20 +16,22 @@
 namespace hitpipe::sim {
 
 struct PictureRays {
-  const ref::IntScene* scene = nullptr;  ///< that it shows; only weights are compared with it
+  const ref::IntScene* scene = nullptr;  ///< that it shows
   std::vector<CoreJob> jobs;
   std::vector<std::uint32_t> triangles;  ///< by job: the number of what it hits, or IntHit::none
   ref::TraceCounts work;
-  std::vector<glm::vec3> image;  ///< that software's answers make; linear; empty for a list
   std::uint64_t restarts = 0;
 
-  /// How many answers are not software's: the triangle, or for any hit whether there is one; or failed, or
+  /// How many answers are not software's: the triangle and T, or for any hit whether there is one; or failed, or
   /// with weights that are not those of its triangle.
   [[nodiscard]] std::uint64_t wrong(std::span<const CoreAnswer> answers) const;
+  /// The picture that right answers make, of the options with which the rays were recorded; linear.
+  [[nodiscard]] std::vector<glm::vec3> drawn(std::span<const CoreAnswer> answers,
+                                             ref::RenderOptions render) const;
 };
 
 /// Renders the picture, or some of its tiles, with one thread, so the rays are in one order. `image` is of
-/// `scene`, which must outlive the result where answers have weights. Throws as render() and CoreTracer do.
+/// `scene`, which must outlive the result. Throws as render() and CoreTracer do.
 [[nodiscard]] PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image,
                                        const ref::CoreTracerOptions& options, ref::RenderOptions render);
 

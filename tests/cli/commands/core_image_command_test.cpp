@@ -37,6 +37,49 @@ TEST_F(ImageCommand, WritesTheBlocks) {
   EXPECT_EQ(image.triangles, 24578U);
 }
 
+TEST_F(ImageCommand, WritesBesideItWhereTheMeshLies) {
+  // Of two triangles the first is so thin that the grid of 8 bits loses it.
+  folder_.write("two.obj", "v 0 0 0\nv 1 0 0\nv 1 0.0001 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n");
+  const Outcome outcome = run_hitpipe({"core", "image", "--scene", (folder_.path() / "two.obj").string(),
+                                       "--bits", "8+0s8", "--cube", "0,0,0,2", "--out", file_.string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto beside = nlohmann::json::parse(contents_of(file_.string() + ".json"));
+  EXPECT_EQ(beside.at("dropped_triangles"), nlohmann::json({0}));
+  EXPECT_NEAR(beside.at("cube").at("scale").get<double>(), 0.5, 0.001);  // and a margin
+  EXPECT_EQ(beside.at("units_of_a_corner_in_half_the_cube"), 63);
+  EXPECT_EQ(beside.at("image").at("blocks"), 2);
+}
+
+TEST_F(ImageCommand, ChecksAFile) {
+  ASSERT_EQ(run_hitpipe({"core", "image", "--scene", "spheres", "--out", file_.string()}).exit_code, 0);
+  const Outcome whole = run_hitpipe({"core", "image", "--check", file_.string()});
+  EXPECT_EQ(whole.exit_code, 0) << whole.err;
+  EXPECT_THAT(whole.out, ContainsRegex("triangles +24,578\n"));
+  const auto complaint = [&](const std::string& bytes) {
+    folder_.write("scene.bin", bytes);
+    const Outcome outcome = run_hitpipe({"core", "image", "--check", file_.string()});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    return outcome.err;
+  };
+  const std::string bytes = contents_of(file_);
+  const std::string start = "hitpipe: " + file_.string() + ": ";
+  EXPECT_THAT(complaint(bytes.substr(0, 600'000)),
+              ContainsRegex(start + "block [0-9]+ of the image: a child lies outside the image\n"));
+  EXPECT_EQ(complaint(bytes.substr(0, 600'001)),
+            start + "has 600001 bytes; allowed are whole blocks of 32\n");
+  EXPECT_THAT(complaint(std::string(100'000, '\0')), HasSubstr("block 1 of the image: nothing leads to it"));
+}
+
+TEST_F(ImageCommand, RefusesMoreBlocksThanACoreReads) {
+  const Outcome outcome =
+      run_hitpipe({"core", "image", "--scene", "spheres", "--block-bits", "12", "--out", file_.string()});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err,
+              ContainsRegex("--block-bits 12: the image has [0-9]+ blocks; allowed is 16 and more"));
+  EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
 TEST_F(ImageCommand, SaysWhatRaysRead) {
   const Outcome outcome = run_hitpipe({"core", "image", "--scene", "spheres", "--width", "16", "--height",
                                        "16", "--stack", "0,8", "--format", "csv"});

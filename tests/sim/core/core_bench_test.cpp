@@ -267,19 +267,20 @@ TEST_P(FaultyCore, IsSeen) {
   EXPECT_EQ(wrong, fault.answers_are_wrong);
 }
 
-INSTANTIATE_TEST_SUITE_P(Faults, FaultyCore,
-                         testing::Values(Fault{"AnswerWithAnothersTag", "tags_word <= tags[leaving_ray]",
-                                               "tags_word <= tags[ray_1]", true},
-                                         Fault{"TestWithAnothersRay", "origins_word <= origins[rays_word]",
-                                               "origins_word <= origins[reader_1]", true},
-                                         Fault{"LengthOfAnotherRay",
-                                               "leaf_bests_word <= leaf_bests[leaf_ray]",
-                                               "leaf_bests_word <= leaf_bests[leaf_ray_1]", true},
-                                         Fault{"RequestIsMadeTwice", "assign granted = ~there_2",
-                                               "assign granted = ~there_1", true},
-                                         Fault{"AnswerWaitsForTheLast", "wire moves = there & ~holds",
-                                               "wire moves = there & ~there_1", false}),
-                         [](const auto& each) { return each.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Faults, FaultyCore,
+    testing::Values(
+        Fault{"AnswerWithAnothersTag", "tags_word <= tags[leaving_ray]", "tags_word <= tags[ray_1]", true},
+        Fault{"TestWithAnothersRay", "origins_word <= origins[rays_word]",
+              "origins_word <= origins[reader_1]", true},
+        Fault{"LengthOfAnotherRay", "leaf_bests_word <= leaf_bests[leaf_ray]",
+              "leaf_bests_word <= leaf_bests[leaf_ray_1]", true},
+        Fault{"RequestIsMadeTwice", "assign granted = ~there_2", "assign granted = ~there_1", true},
+        Fault{"TIsNothing", "assign hit_t = replies_hit_t;", "assign hit_t = 0;", true},
+        Fault{"TIsOneTooMuch", "assign hit_t = replies_hit_t;", "assign hit_t = replies_hit_t + 1;", true},
+        Fault{"AnswerWaitsForTheLast", "wire moves = there & ~holds", "wire moves = there & ~there_1",
+              false}),
+    [](const auto& each) { return each.param.name; });
 
 /// What the bench says of a core whose Verilog has a fault.
 std::string complaint_of(const rtl::Core& core, const char* good, const char* bad) {
