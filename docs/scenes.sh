@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the tables of docs/choosing.md and docs/measured/scenes.md as Markdown: docs/scenes.sh [SIZE [MESH...]]. Images have
+# Prints the tables of docs/measured/scenes.md as Markdown: docs/scenes.sh [SIZE [MESH...]]. Images have
 # SIZE x SIZE pixels, 96 in the document. Every built-in scene and every mesh goes through every unit below, by a surface-area tree
 # and by the median split of the thesis; the Verilog answers each box test. Rows that out/scenes-SIZE already holds are not measured
 # again. The program is build/hitpipe.

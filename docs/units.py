@@ -2,7 +2,7 @@
 """Makes docs/measured/units.md and the units of README.md again: docs/units.py [PROGRAM [FOLDER]].
 
 FOLDER is the root of a checkout; a test gives a copy and compares. Prices are what the program prints. What chips and scenes say is
-taken from the long tables of docs/measured/chips.md and docs/choosing.md.
+taken from the long tables of docs/measured/chips.md and docs/measured/scenes.md.
 """
 import csv, io, pathlib, subprocess, sys
 
@@ -51,7 +51,7 @@ def table(names, alignment, rows):
 
 
 chips = {(row['unit'], row['in']): row for row in long_table('docs/measured/chips.md', '| unit | in |')}
-scenes = {row['scene']: row for row in long_table('docs/choosing.md', '| scene | stiff')}
+scenes = {row['scene']: row for row in long_table('docs/measured/scenes.md', '| scene | stiff')}
 misses = {row['design']: row['misses'] for row in printed('list', 'designs')}
 version = subprocess.run([program, '--version'], check=True, stdout=subprocess.PIPE, text=True).stdout.split(' (')[0].strip()
 by = f'By `docs/units.py`, {version}.'
@@ -98,7 +98,7 @@ page = f'''# The units: prices, chips, extra tests
 By the thesis's 0.25 µm components (Table 7.1), with all that is emitted. Percentages are of `fp_slabs`, for each box tested in a cycle.
 Prices of `fp_slabs_safe` are [estimated](../designs.md#float-operators), and so are multipliers of `int_major`. Extra tests are
 triangle tests, in %, on the scenes `spheres` / `statue`, beside a software traversal of the same surface-area tree that misses no box
-([all scenes](../choosing.md#every-scene-with-every-unit)).
+([all scenes](scenes.md)).
 
 {table(['unit', 'stages', 'clock, MHz', 'latency, ns', 'area, mm²', 'area a box, mm²', '% of fp_slabs', 'area × delay, %', 'extra tests, %', 'never misses'],
        ['---'] + ['--:'] * 8 + ['---'], map(priced, PRICED))}

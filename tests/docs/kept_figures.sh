@@ -6,7 +6,7 @@ source=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$source"
-cp --parents -t "$folder" README.md docs/choosing.md docs/measured/{chips,stiffness,units}.md docs/measured/stiffness.svg
+cp --parents -t "$folder" README.md docs/measured/{chips,scenes,stiffness,units}.md docs/measured/stiffness.svg
 "$source/docs/stiffness.sh" "$program" "$folder/docs/measured"
 "$source/docs/units.py" "$program" "$folder"
 for page in README.md docs/measured/{stiffness,units}.md docs/measured/stiffness.svg; do
