@@ -4,6 +4,7 @@
 #define DRIVER_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #ifndef CORE_HEADER
 #define CORE_HEADER "hitpipe_core.h" /* of a core with another name: -DCORE_HEADER='"NAME.h"' */
@@ -34,15 +35,22 @@ static inline uint32_t core_read(uint32_t reg) {
   return bus_read(CORE_REGISTERS + reg);
 }
 
-/* Says where the image is, and lets rays begin. false: this is no core. */
-static inline bool core_start(uint64_t image, uint32_t blocks) {
-  if (core_read(CORE_REG_IDENTITY) != CORE_IDENTITY) return false;
+/* Says where the image is, and lets rays begin. Otherwise it changes nothing, and returns why. */
+static inline const char* core_start(uint64_t image, uint64_t blocks) {
+  const uint64_t bytes = blocks * CORE_BLOCK_BYTES;
+  if (core_read(CORE_REG_IDENTITY) != CORE_IDENTITY) return "no core answers at that address";
+  if (core_read(CORE_REG_VERSION) != CORE_VERSION) return "the core has another version than its header";
+  if (image % CORE_BLOCK_BYTES != 0) return "the image does not begin at a multiple of 32";
+  if (blocks == 0) return "the image has no block";
+  if ((blocks - 1) >> CORE_BLOCK_BITS != 0) return "the image has more blocks than the core can name";
+  if (CORE_ADDRESS_BITS < 64 && (image + bytes - 1) >> (CORE_ADDRESS_BITS % 64) != 0)
+    return "the image ends above the core's last address";
   core_write(CORE_REG_BASE_LOW, (uint32_t)image);
   core_write(CORE_REG_BASE_HIGH, (uint32_t)(image >> 32));
-  core_write(CORE_REG_LAST_BLOCK, blocks - 1);
+  core_write(CORE_REG_LAST_BLOCK, (uint32_t)(blocks - 1));
   core_write(CORE_REG_MOST_RAYS, CORE_RAYS);
   core_write(CORE_REG_CLEAR_COUNTERS, 0);
-  return true;
+  return NULL;
 }
 
 /* false: try again later. The answer has the same tag, a number of CORE_TAG_BITS bits. */

@@ -18,7 +18,10 @@ static_assert(pixels <= 1 << CORE_TAG_BITS);
 
 // A ray is in the image's cube, [-1, 1]. hitpipe moves a scene into it so that mesh, eye and lights just fit;
 // the longest side of `spheres` is z, from -9 to 9.4. So this is the ray of `hitpipe render` through a pixel.
-core_ray camera_ray(int pixel) {
+struct Line {
+  float origin[3], direction[3];
+};
+Line camera_line(int pixel) {
   constexpr double eye[] = {0.5, 3.9, 9.4}, target[] = {0, 1.42, 0}, centre[] = {0, 4.25, 0.2};
   constexpr double scale = (1 - 0x1p-10) / 9.2, fov = 39 * 3.14159265358979 / 180;
   const double fx = target[0] - eye[0], fy = target[1] - eye[1], fz = target[2] - eye[2];  // forward
@@ -29,20 +32,9 @@ core_ray camera_ray(int pixel) {
   const double dx = fx - x * fz / flat - y * fx * fy / flat / whole, dy = fy + y * flat / whole;
   const double dz = fz + x * fx / flat - y * fz * fy / flat / whole, length = std::hypot(dx, dy, dz);
   const auto in_cube = [&](int axis) { return static_cast<float>((eye[axis] - centre[axis]) * scale); };
-  return {0,
-          in_cube(0),
-          in_cube(1),
-          in_cube(2),
-          static_cast<float>(dx / length),
-          static_cast<float>(dy / length),
-          static_cast<float>(dz / length),
-          INFINITY};
-}
-
-// T counts along the largest component of the direction, CORE_T_ONE from the middle of the cube to its side.
-double distance_of(const core_hit& hit, const core_ray& ray) {
-  const float largest = std::max({std::abs(ray.dx), std::abs(ray.dy), std::abs(ray.dz)});
-  return static_cast<double>(hit.t) / CORE_T_ONE / largest;
+  return {
+      {in_cube(0), in_cube(1), in_cube(2)},
+      {static_cast<float>(dx / length), static_cast<float>(dy / length), static_cast<float>(dz / length)}};
 }
 
 int main(int count, char** arguments) {
@@ -51,15 +43,17 @@ int main(int count, char** arguments) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(arguments[1], error);
   if (error || bytes < CORE_BLOCK_BYTES) return std::fprintf(stderr, "%s cannot be read\n", arguments[1]), 2;
-  const auto blocks = static_cast<uint32_t>(bytes / CORE_BLOCK_BYTES);
-  if (!core_start(place_image(arguments[1]), blocks)) return std::fprintf(stderr, "no core\n"), 1;
+  const char* const refused = core_start(place_image(arguments[1]), bytes / CORE_BLOCK_BYTES);
+  if (refused) return std::fprintf(stderr, "core_system: %s\n", refused), 1;
 
   std::vector<uint8_t> picture(pixels), answers(pixels);
   uint64_t failed = 0, hits = 0;
   int sent = 0, taken = 0;
   for (int silent = 0; taken < pixels && silent < 100'000; ++silent) {
     if (sent < pixels) {
-      const core_ray ray = camera_ray(sent);
+      const Line line = camera_line(sent);
+      core_ray ray;
+      core_make_ray(&ray, line.origin, line.direction, INFINITY);
       if (core_send(static_cast<uint32_t>(sent), &ray)) ++sent;
     }
     uint32_t pixel;
@@ -69,7 +63,7 @@ int main(int count, char** arguments) {
       failed += hit.failed;
       if (hit.failed || hit.number == CORE_NO_HIT) continue;
       ++hits;
-      const double distance = distance_of(hit, camera_ray(static_cast<int>(pixel)));
+      const double distance = core_distance(&hit, camera_line(static_cast<int>(pixel)).direction);
       picture[pixel] = static_cast<uint8_t>(std::min(255.0, 120 / distance / distance));  // a lamp at the eye
     }
   }

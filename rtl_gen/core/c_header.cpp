@@ -9,6 +9,7 @@
 
 #include "hls/machines/registers.hpp"
 #include "rtl_gen/core/axi.hpp"
+#include "rtl_gen/core/c_ray.hpp"
 
 namespace hitpipe::rtl {
 
@@ -101,15 +102,18 @@ static inline uint64_t core_bits_of(float value) {
 #ifndef {guard}
 #define {guard}
 
-{more_includes}#include <stdint.h>
+{more_includes}#include <stdbool.h>
+#include <stdint.h>
 #include <string.h>
 
 /* Registers of 32 bits; a counter has two, the low one first. */
 {registers}
 #define CORE_IDENTITY 0x{identity:08x}u
+#define CORE_VERSION {version}u
 #define CORE_RAYS {rays}
 #define CORE_TAG_BITS {tag_bits}
 #define CORE_ADDRESS_BITS {byte_bits}
+#define CORE_BLOCK_BITS {block_bits} /* of the number of a block */
 #define CORE_BLOCK_BYTES 32
 #define CORE_BEAT_BYTES {beat_bytes}
 #define CORE_HAS_ONE_ID {has_one_id}
@@ -140,13 +144,14 @@ static inline void core_pack_ray(uint8_t* bytes, const struct core_ray* ray) {{
 {pack}}}
 static inline void core_unpack_hit(struct core_hit* hit, const uint8_t* bytes) {{
 {unpack}}}
-{weights}
+{rays_of_floats}{weights}
 #endif
 )",
       fmt::arg("module", core.module), fmt::arg("bits", to_string(Format(bits))),
       fmt::arg("rays", core.options.rays), fmt::arg("guard", guard),
       fmt::arg("more_includes", core.options.weights ? "#include <math.h>\n" : ""),
       fmt::arg("registers", registers), fmt::arg("identity", hls::registers::identity),
+      fmt::arg("version", hls::registers::version), fmt::arg("block_bits", core.options.address_bits),
       fmt::arg("tag_bits", core.options.tag_bits), fmt::arg("byte_bits", core.options.byte_bits),
       fmt::arg("beat_bytes", core.options.data_bits / 8),
       fmt::arg("has_one_id", core.options.has_one_id() ? 1 : 0),
@@ -154,7 +159,7 @@ static inline void core_unpack_hit(struct core_hit* hit, const uint8_t* bytes) {
       fmt::arg("ray_bytes", stream_bits(ray) / 8), fmt::arg("hit_bytes", stream_bits(hit) / 8),
       fmt::arg("ray_fields", c_fields(ray)), fmt::arg("hit_fields", c_fields(hit)),
       fmt::arg("bits_of", bits_of), fmt::arg("pack", pack), fmt::arg("unpack", unpack),
-      fmt::arg("weights", weights_function(core)));
+      fmt::arg("rays_of_floats", c_ray(core)), fmt::arg("weights", weights_function(core)));
 }
 
 }  // namespace hitpipe::rtl

@@ -14,30 +14,16 @@ static const float ahead[3] = {-0.0513637309f, -0.254764105f, -0.96563814f};
 static const float right[3] = {0.0147341114f, 0, -0.000783729329f};
 static const float up[3] = {-0.000199666101f, 0.0142680752f, -0.0037537227f};
 
-static struct core_ray camera_ray(int pixel) {
+static void make_direction(float direction[3], int pixel) {
   const float x = (float)(2 * (pixel % width) + 1 - width);
   const float y = (float)(height - 1 - 2 * (pixel / width));
-  struct core_ray ray = {0};
-  ray.ox = eye[0], ray.oy = eye[1], ray.oz = eye[2];
-  ray.dx = ahead[0] + x * right[0] + y * up[0];
-  ray.dy = ahead[1] + x * right[1] + y * up[1];
-  ray.dz = ahead[2] + x * right[2] + y * up[2];
-  ray.len = __builtin_inff();
-  return ray;
+  for (int axis = 0; axis < 3; ++axis) direction[axis] = ahead[axis] + x * right[axis] + y * up[axis];
 }
 
-static float size_of(float number) {
-  return number < 0 ? -number : number;
-}
-
-/* The nearer, the fuller. T counts along the largest component of the direction. */
-static char letter_of(const struct core_hit* hit, const struct core_ray* ray) {
+/* The nearer, the fuller. */
+static char letter_of(const struct core_hit* hit, const float direction[3]) {
   static const char letters[] = "@%#*+=-:.";
-  float largest = size_of(ray->dx);
-  if (size_of(ray->dy) > largest) largest = size_of(ray->dy);
-  if (size_of(ray->dz) > largest) largest = size_of(ray->dz);
-  const float depth = (float)hit->t / CORE_T_ONE / largest;
-  const int letter = (int)((depth - 0.5f) * 12);
+  const int letter = (int)((core_distance(hit, direction) - 0.5) * 12);
   return letters[letter < 0 ? 0 : letter > 8 ? 8 : letter];
 }
 
@@ -45,13 +31,17 @@ bool draw_picture(uint64_t image, uint32_t blocks) {
   static char picture[pixels];
   static uint8_t answers[pixels];
   int sent = 0, taken = 0, hits = 0, failed = 0;
-  if (!core_start(image, blocks)) {
-    printf("no core\n");
+  const char* const refused = core_start(image, blocks);
+  if (refused) {
+    printf("%s\n", refused);
     return false;
   }
   for (long silent = 0; taken < pixels && silent < 100000; ++silent) {
     if (sent < pixels) {
-      const struct core_ray ray = camera_ray(sent);
+      float direction[3];
+      struct core_ray ray;
+      make_direction(direction, sent);
+      core_make_ray(&ray, eye, direction, __builtin_inff());
       if (core_send((uint32_t)sent, &ray)) ++sent;
     }
     uint32_t pixel;
@@ -65,8 +55,9 @@ bool draw_picture(uint64_t image, uint32_t blocks) {
       picture[pixel] = ' ';
       if (hit.failed || hit.number == CORE_NO_HIT) continue;
       ++hits;
-      const struct core_ray ray = camera_ray((int)pixel);
-      picture[pixel] = letter_of(&hit, &ray);
+      float direction[3];
+      make_direction(direction, (int)pixel);
+      picture[pixel] = letter_of(&hit, direction);
     }
   }
   bool once = true;
