@@ -294,9 +294,8 @@ TEST_F(ImplementCommand, FailingToolNamesItsLog) {
 TEST(ImplementBoard, EndsInABitstream) {
   const sim::TemporaryFolder folder;
   const std::string out = (folder / "out").string();
-  const auto json = nlohmann::json::parse(printed(
-      "implement int_slabs --bits 6/6 --board icebreaker --seeds 1 --format json --out " +
-      out));
+  const auto json = nlohmann::json::parse(
+      printed("implement int_slabs --bits 6/6 --board icebreaker --seeds 1 --format json --out " + out));
   EXPECT_EQ(json["module"], "int_slabs_6_6_board");
   EXPECT_GT(json["luts"], 100);
   EXPECT_GT(json["fmax_mhz"], 12);
