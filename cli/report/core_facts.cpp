@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,16 +55,18 @@ void add_settings(CoreFacts& facts) {
 /// The scene and its picture as a core gets them.
 struct Traced {
   hls::WorldBits world;
+  std::unique_ptr<const ref::IntScene> scene;  ///< the picture refers to it
   ref::CoreImage image;
   sim::PictureRays picture;
 };
 
 Traced traced_in_software(const ref::Scene& scene, const hls::WorldBits& world, const CoreFacts& facts,
                           const ref::HierarchyOptions& hierarchy) {
-  const ref::IntScene of_integers = ref::int_scene(scene, world, hierarchy);
-  Traced made{world, ref::core_image(of_integers), {}};
+  auto of_integers = std::make_unique<const ref::IntScene>(ref::int_scene(scene, world, hierarchy));
+  ref::CoreImage image = ref::core_image(*of_integers);
+  Traced made{world, std::move(of_integers), std::move(image), {}};
   made.picture =
-      sim::picture_rays(of_integers, made.image,
+      sim::picture_rays(*made.scene, made.image,
                         {.world = world, .boxes = usual_box_format(world), .places = CoreChoice{}.places},
                         {.width = facts.width, .height = facts.height});
   if (made.picture.jobs.empty()) throw std::runtime_error("its picture has no ray");
