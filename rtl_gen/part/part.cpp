@@ -20,12 +20,11 @@ Part machine_part(const Machine& machine, const Format& format, const std::strin
 
 Part unit_part(const Design& design, const Format& format, const std::string& module, Pipeline pipeline,
                FlowControl flow) {
-  return {.name = design.name,
-          .format = format,
-          .interface = unit_interface(module, input_ports(pipeline.graph),
-                                      result_ports(design.results(format)), flow, pipeline.interval()),
-          .design = &design,
-          .pipeline = std::move(pipeline)};
+  Part part{.name = design.name, .format = format, .interface = {}, .design = &design};
+  part.interface = unit_interface(module, input_ports(pipeline.graph), result_ports(design.results(format)),
+                                  flow, pipeline.interval());
+  part.pipeline = std::move(pipeline);
+  return part;
 }
 
 std::string to_verilog(const Part& part, const Library& library, const std::set<std::string>& in_block_rams) {

@@ -56,7 +56,7 @@ void Station::check(int rays) {
 
 Station::Station(const VerilatedDesign& verilated, StationSoftware software, int rays)
     : model_(verilated),
-      software_(std::move(software)),
+      software_(software),
       operands_(verilated.operand_count()),
       results_(verilated.results().size()),
       expected_(checked(rays, verilated)),

@@ -44,7 +44,7 @@ TEST_F(ImageCommand, WritesBesideItWhereTheMeshLies) {
                                        "--bits", "8+0s8", "--cube", "0,0,0,2", "--out", file_.string()});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto beside = nlohmann::json::parse(contents_of(file_.string() + ".json"));
-  EXPECT_EQ(beside.at("dropped_triangles"), nlohmann::json({0}));
+  EXPECT_EQ(beside.at("dropped_triangles"), nlohmann::json::array({0}));
   EXPECT_NEAR(beside.at("cube").at("scale").get<double>(), 0.5, 0.001);  // and a margin
   EXPECT_EQ(beside.at("units_of_a_corner_in_half_the_cube"), 63);
   EXPECT_EQ(beside.at("image").at("blocks"), 2);

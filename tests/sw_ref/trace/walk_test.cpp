@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/trace/slabs.hpp"
+#include "sw_ref/trace/traversal.hpp"
 #include "tests/sw_ref/trace/tracer_scenes.hpp"
 
 namespace hitpipe::ref::walk_test {
