@@ -45,42 +45,29 @@ struct ImageCommand {
   OutputFormat format = OutputFormat::text;
 };
 
-/// Blocks in the order of their addresses, words little-endian.
-std::string bytes_of(const ref::CoreImage& image) {
-  std::string bytes;
-  bytes.reserve(image.bytes());
-  for (const ref::CoreBlock& block : image.blocks)
-    for (const std::uint64_t word : block)
-      for (unsigned byte = 0; byte < 8; ++byte) bytes += static_cast<char>(word >> 8 * byte & 0xff);
-  return bytes;
-}
-
-std::vector<ref::CoreBlock> blocks_of(const std::string& bytes, const std::string& file) {
-  if (bytes.size() % ref::core_block_bytes != 0)
-    throw std::runtime_error(fmt::format("{}: has {} bytes; allowed are whole blocks of {}", file,
-                                         bytes.size(), ref::core_block_bytes));
-  std::vector<ref::CoreBlock> blocks(bytes.size() / ref::core_block_bytes);
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const std::uint64_t byte = static_cast<unsigned char>(bytes[i]);
-    blocks[i / ref::core_block_bytes][i % ref::core_block_bytes / 8] |= byte << 8 * (i % 8);
-  }
-  return blocks;
-}
-
 Row figures_of(const ref::CoreImage& image) {
   return {{"records", image.records},
-          {"levels", image.levels},
+          {"levels", image.header.levels},
           {"blocks", image.blocks.size()},
           {"bytes", image.bytes()}};
 }
 
 void check_image(const ImageCommand& command) {
-  std::vector<ref::CoreBlock> blocks = blocks_of(host::read_file(command.check), command.check);
+  const std::string bytes = host::read_file(command.check);
   Row row{{"file", command.check}};
   try {
-    const ref::CoreImage image = ref::checked_image(std::move(blocks));
-    row.update({{"triangles", image.triangles}});
+    const ref::CoreImage image = ref::checked_image(ref::core_image_blocks(bytes));
+    const ref::CoreHeader& header = image.header;
+    row.update({{"coordinate_bits", header.coord_bits},
+                {"triangles", header.triangles},
+                {"missing_triangles", header.missing}});
     row.update(figures_of(image));
+    const glm::dvec3& offset = header.to_cube.offset;
+    row.update({{"offset", {offset.x, offset.y, offset.z}}, {"scale", header.to_cube.scale}});
+    if (command.format == OutputFormat::text) {  // with all digits
+      row["offset"] = fmt::format("{},{},{}", offset.x, offset.y, offset.z);
+      row["scale"] = fmt::format("{}", header.to_cube.scale);
+    }
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("{}: {}", command.check, error.what()));
   }
@@ -167,7 +154,7 @@ void write_image(ImageCommand command, const CLI::App& parsed) {
   check_block_bits(command, image);
   if (!command.out.empty()) {
     row["file"] = command.out;
-    host::write_file(command.out, bytes_of(image));
+    host::write_file(command.out, ref::core_image_bytes(image.blocks));
     host::write_file(command.out + ".json", record_text(beside(row, scene, parsed), OutputFormat::json));
   }
   progress.reset();

@@ -99,10 +99,10 @@ class Tracing {
         scene_(command.scene.in_integers(loaded_, bits_, command.hierarchy)),
         image_(ref::core_image(scene_)),
         walking_{.world = bits_, .boxes = usual_box_format(bits_), .places = command.core.places} {
-    if (image_.levels > command.core.options.levels)
+    if (image_.header.levels > command.core.options.levels)
       throw std::runtime_error(fmt::format(
           "--levels {}: the scene has {} records on a path; allowed is {} to {}", command.core.options.levels,
-          image_.levels, image_.levels, rtl::CoreOptions::most_levels));
+          image_.header.levels, image_.header.levels, rtl::CoreOptions::most_levels));
     if (command.rays.given()) list_ = sim::read_ray_list(command.rays.file, loaded_.to_cube);
     if (!list_.empty()) check_parts(command, list_.size(), "rays");
   }

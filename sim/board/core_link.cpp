@@ -46,10 +46,10 @@ void check_fits(const rtl::Core& core, const ref::CoreImage& image) {
     throw std::runtime_error(fmt::format(
         "the scene's image has {} blocks of {} bytes, and the memory of the board's chip has room for {}",
         image.blocks.size(), ref::core_block_bytes, room));
-  if (image.levels > core.options.levels)
+  if (image.header.levels > core.options.levels)
     throw std::runtime_error(
-        fmt::format("the scene has {} records on a path; the core on the board allows {}", image.levels,
-                    core.options.levels));
+        fmt::format("the scene has {} records on a path; the core on the board allows {}",
+                    image.header.levels, core.options.levels));
 }
 
 CoreLink::CoreLink(host::SerialPort& port, const rtl::Core& core, const Patience& patience)

@@ -95,7 +95,7 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
   // it may come more often, until its steps are used up.
   constexpr std::uint64_t room = 10;
   const std::uint64_t blocks =
-      std::uint64_t{image.records} * static_cast<std::uint64_t>(image.levels) + image.triangles;
+      std::uint64_t{image.records} * static_cast<std::uint64_t>(image.header.levels) + image.header.triangles;
   most_blocks_ = room * rays * (blocks + 100);
   const std::uint64_t most_blocks = std::uint64_t{1} << core.options.address_bits;
   if (image.blocks.size() > most_blocks)

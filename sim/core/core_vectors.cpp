@@ -71,7 +71,7 @@ std::pair<ref::IntScene, ref::CoreImage> scene_for(const rtl::CoreOptions& optio
     ref::IntScene scene = ref::int_scene(random_scene(triangles, random), options.bits.world(),
                                          {.build = ref::surface_area_build});
     ref::CoreImage image = ref::core_image(scene);
-    if (image.levels <= options.levels || triangles == 1) return {std::move(scene), std::move(image)};
+    if (image.header.levels <= options.levels || triangles == 1) return {std::move(scene), std::move(image)};
   }
 }
 
@@ -91,10 +91,10 @@ ref::IntHit nearest(const ref::IntRay& ray, const ref::IntMesh& mesh, const hls:
 rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   const hls::WorldBits world = core.options.bits.world();
   Random random(seed);
-  // A tree of n leaves has less than n records beside the root's own.
+  // A tree of n leaves has less than n records beside the root's own; a header and perhaps an empty block follow.
   const std::uint64_t most_blocks = std::uint64_t{1} << core.options.address_bits;
   const auto [scene, image] =
-      scene_for(core.options, std::min<std::uint64_t>(200, most_blocks / 2 - 1), random);
+      scene_for(core.options, std::min<std::uint64_t>(200, most_blocks / 2 - 2), random);
   const auto job = [&]() -> CoreJob {
     const ref::Ray ray{.origin = point(random), .direction = point(random), .length = 2.0F};
     return {ray, random.below(3) == 0};

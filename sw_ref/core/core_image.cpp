@@ -20,6 +20,8 @@ constexpr unsigned pointer_at = 160;
 constexpr unsigned counts_at = 192;
 constexpr unsigned count_bits = 8;
 constexpr unsigned number_at = 9 * plane_bits;
+constexpr unsigned kind_at = 248;
+constexpr unsigned kind_bits = 8;
 constexpr std::uint64_t count_of_branch = 255;
 
 /// width <= 32
@@ -78,7 +80,7 @@ class ImageWriter {
   }
 
   CoreImage written() {
-    image_.blocks.resize(1);
+    image_.blocks.resize(1 + header_blocks);
     const Part root = part_of(0);
     write(0, {&root, 1}, 0);
     return std::move(image_);
@@ -113,7 +115,7 @@ class ImageWriter {
           fmt::format("the hierarchy has more than {} levels of records, which the core cannot walk; allowed "
                       "is a flatter one",
                       CoreImage::most_levels));
-    image_.levels = std::max(image_.levels, level + 1);
+    image_.header.levels = std::max(image_.header.levels, level + 1);
     ++image_.records;
     CoreRecord record;
     record.pointer = static_cast<std::uint32_t>(image_.blocks.size());
@@ -130,7 +132,7 @@ class ImageWriter {
       if (!part.is_record()) write_triangles(at, part);
       at += part.blocks();
     }
-    image_.blocks[block] = to_block(record);
+    image_.blocks[block] = to_block(record, scene_.bits.coord);
     at = record.pointer;
     for (const Part& part : parts) {
       if (part.is_record()) write(at, children(part), level + 1);
@@ -147,8 +149,9 @@ class ImageWriter {
   void write_triangles(std::uint32_t at, const Part& part) {
     for (std::uint32_t i = 0; i < part.count; ++i)
       image_.blocks[at + i] =
-          to_block(CoreTriangle{triangle(part.first + i), numbers_.of_source(bvh_.order[part.first + i])});
-    image_.triangles += part.count;
+          to_block(CoreTriangle{triangle(part.first + i), numbers_.of_source(bvh_.order[part.first + i])},
+                   scene_.bits.coord);
+    image_.header.triangles += part.count;
   }
 
   const IntScene& scene_;
@@ -166,13 +169,18 @@ class ImageReader {
   }
 
   CoreImage checked() {
-    if (image_.blocks.empty()) throw std::runtime_error("the image is empty; allowed is a record at least");
-    take(0, 0);
+    image_.header = header_of(image_.blocks);
+    take(0, 0, core_record);
     const CoreRecord root = record_of(image_.blocks[0]);
     if (root.counts[1] != PairChild::none) fail(0, "the root's own record has a second child");
     follow(root, 0, root.boxes.planes, 0);
+    std::fill_n(seen_.begin() + 1, header_blocks, true);
+    // A block without anything may make the number of blocks even.
+    if (image_.blocks.back() == CoreBlock{}) seen_.back() = true;
     const auto unused = std::find(seen_.begin(), seen_.end(), false);
     if (unused != seen_.end()) fail(unused - seen_.begin(), "nothing leads to it");
+    check_header("levels", levels_, image_.header.levels);
+    check_header("triangles", triangles_, image_.header.triangles);
     return std::move(image_);
   }
 
@@ -180,15 +188,23 @@ class ImageReader {
   [[noreturn]] static void fail(std::ptrdiff_t block, std::string_view what) {
     throw std::runtime_error(fmt::format("block {} of the image: {}", block, what));
   }
-  void take(std::uint64_t block, std::uint32_t from) {
+  static void check_header(std::string_view what, std::int64_t counted, std::int64_t said) {
+    if (counted != said)
+      throw std::runtime_error(
+          fmt::format("the image has {} {}, but its header says {}", counted, what, said));
+  }
+  void take(std::uint64_t block, std::uint32_t from, CoreBlockKind kind) {
     if (block >= seen_.size()) fail(from, "a child lies outside the image");
-    if (seen_[block]) fail(static_cast<std::ptrdiff_t>(block), "two records lead to it, or a loop");
+    const auto place = static_cast<std::ptrdiff_t>(block);
+    if (seen_[block]) fail(place, "two records lead to it, or a loop");
+    if (get(image_.blocks[block], kind_at, kind_bits) != kind_byte(kind, image_.header.coord_bits))
+      fail(place, fmt::format("it is no {} of this grid", kind == core_record ? "record" : "triangle"));
     seen_[block] = true;
   }
 
   void follow(const CoreRecord& record, std::uint32_t block, const IntBox& common, int level) {
     if (level >= CoreImage::most_levels) fail(block, "more than 60 records on a path");
-    image_.levels = std::max(image_.levels, level + 1);
+    levels_ = std::max(levels_, level + 1);
     ++image_.records;
     const std::array<IntBox, 2> boxes = boxes_in(record.boxes, common);
     std::uint64_t at = record.pointer;
@@ -198,7 +214,7 @@ class ImageReader {
       if (!holds(common, boxes[which])) fail(block, "a child's box is not inside its parent's");
       const std::uint32_t taken = count == PairChild::branch ? 1 : static_cast<std::uint32_t>(count);
       for (std::uint32_t i = 0; i < taken; ++i) {
-        take(at + i, block);
+        take(at + i, block, count == PairChild::branch ? core_record : core_triangle);
         if (count != PairChild::branch) check_triangle(static_cast<std::uint32_t>(at + i), boxes[which]);
       }
       if (count == PairChild::branch) {
@@ -213,11 +229,13 @@ class ImageReader {
     if (triangle.number == IntHit::none) fail(block, "a triangle with the number of none");
     if (!holds(box, box_of(triangle.triangle)))
       fail(block, "its leaf's box does not hold the triangle whole");
-    ++image_.triangles;
+    ++triangles_;
   }
 
   CoreImage image_;
   std::vector<bool> seen_;
+  int levels_ = 0;
+  std::uint32_t triangles_ = 0;
 };
 
 }  // namespace
@@ -227,8 +245,9 @@ PairChild CoreRecord::child(unsigned which) const {
   return {counts[which], pointer + static_cast<std::uint32_t>(before)};
 }
 
-CoreBlock to_block(const CoreRecord& record) {
+CoreBlock to_block(const CoreRecord& record, int coord_bits) {
   CoreBlock block{};
+  put(block, kind_at, kind_bits, kind_byte(core_record, coord_bits));
   for (unsigned axis = 0; axis < 3; ++axis) {
     put_coordinate(block, axis, record.boxes.planes.min[axis]);
     put_coordinate(block, axis + 3, record.boxes.planes.max[axis]);
@@ -262,8 +281,9 @@ CoreRecord record_of(const CoreBlock& block) {
   return record;
 }
 
-CoreBlock to_block(const CoreTriangle& triangle) {
+CoreBlock to_block(const CoreTriangle& triangle, int coord_bits) {
   CoreBlock block{};
+  put(block, kind_at, kind_bits, kind_byte(core_triangle, coord_bits));
   for (unsigned corner = 0; corner < 3; ++corner)
     for (unsigned axis = 0; axis < 3; ++axis)
       put_coordinate(block, 3 * corner + axis, triangle.triangle.corners[corner][axis]);
@@ -281,12 +301,22 @@ CoreTriangle triangle_of(const CoreBlock& block) {
 }
 
 CoreImage core_image(const IntScene& scene) {
-  if (scene.bvh) return ImageWriter(scene).written();
-  CoreImage empty;
-  empty.blocks.push_back(to_block(CoreRecord{.boxes = {}, .pointer = 1}));
-  empty.records = 1;
-  empty.levels = 1;
-  return empty;
+  CoreImage image;
+  if (scene.bvh) {
+    image = ImageWriter(scene).written();
+  } else {
+    constexpr std::uint32_t behind = 1 + header_blocks;
+    image.blocks.resize(behind);
+    image.blocks[0] = to_block(CoreRecord{.boxes = {}, .pointer = behind}, scene.bits.coord);
+    image.records = 1;
+    image.header.levels = 1;
+  }
+  image.blocks.resize(image.blocks.size() + image.blocks.size() % 2);
+  image.header.coord_bits = scene.bits.coord;
+  image.header.missing = static_cast<std::uint32_t>(scene.mesh.mesh.dropped.size());
+  image.header.to_cube = scene.scene.to_cube;
+  put_header(image.blocks, image.header);
+  return image;
 }
 
 CoreImage checked_image(std::vector<CoreBlock> blocks) {

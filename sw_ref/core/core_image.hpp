@@ -1,5 +1,6 @@
 // A scene as the traversal core reads it from memory (docs/core.md): blocks of 32 bytes, each a record of two
-// boxes or a triangle of the integer world. Block 0 is the root's own record.
+// boxes or a triangle of the integer world. Block 0 is the root's own record, and the header follows it
+// (core_header.hpp). Lines of memory have 64 bytes, so an image has an even number of blocks.
 #pragma once
 
 #include <array>
@@ -7,14 +8,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "sw_ref/core/core_header.hpp"
 #include "sw_ref/hierarchy/pair_nodes.hpp"
 #include "sw_ref/world/int_scene.hpp"
 
 namespace hitpipe::ref {
-
-/// Bit i is bit i mod 64 of word i / 64; in memory the words are little-endian, so bit i is in byte i / 8.
-using CoreBlock = std::array<std::uint64_t, 4>;
-inline constexpr std::size_t core_block_bytes = sizeof(CoreBlock);
 
 /// Two boxes, and what is in them. The blocks of child 0 begin at `pointer`, and those of child 1 follow: a
 /// record has one block, a leaf one for each triangle.
@@ -36,9 +34,9 @@ struct CoreTriangle {
   friend bool operator==(const CoreTriangle&, const CoreTriangle&) = default;
 };
 
-/// The place of each bit is in docs/core.md.
-[[nodiscard]] CoreBlock to_block(const CoreRecord& record);
-[[nodiscard]] CoreBlock to_block(const CoreTriangle& triangle);
+/// The place of each bit is in docs/core.md. A block says what it is, and how many bits n its grid has.
+[[nodiscard]] CoreBlock to_block(const CoreRecord& record, int coord_bits);
+[[nodiscard]] CoreBlock to_block(const CoreTriangle& triangle, int coord_bits);
 [[nodiscard]] CoreRecord record_of(const CoreBlock& block);
 [[nodiscard]] CoreTriangle triangle_of(const CoreBlock& block);
 
@@ -46,9 +44,9 @@ struct CoreImage {
   /// Records on a path from the root to a leaf, the root's own counted.
   static constexpr int most_levels = 60;
 
-  std::vector<CoreBlock> blocks;
-  std::uint32_t records = 0, triangles = 0;
-  int levels = 0;
+  std::vector<CoreBlock> blocks;  ///< the header among them
+  CoreHeader header;
+  std::uint32_t records = 0;
 
   [[nodiscard]] std::uint64_t bytes() const { return blocks.size() * core_block_bytes; }
 };
@@ -58,10 +56,11 @@ struct CoreImage {
 /// levels than the core's trail.
 [[nodiscard]] CoreImage core_image(const IntScene& scene);
 
-/// Reads an image again from its blocks and counts what is in it. Throws std::runtime_error, one line that
-/// names the block, when a child lies outside, a block is reached twice or never, the boxes of a leaf do not
-/// hold its triangles whole, a record's boxes are not the common box that its parent promises, a triangle has
-/// no number, or a path is too long.
+/// Reads an image again from its blocks and counts what is in it. Throws std::runtime_error, one line, as
+/// header_of() does, and when the header does not tell the truth. It also throws, and names the block, when a
+/// child lies outside, a block is of another kind or another grid, is reached twice or never, the boxes of a leaf do
+/// not hold its triangles whole, a record's boxes are not the common box that its parent promises, a triangle has no
+/// number, or a path is too long.
 [[nodiscard]] CoreImage checked_image(std::vector<CoreBlock> blocks);
 
 }  // namespace hitpipe::ref

@@ -1,4 +1,5 @@
 // `hitpipe core image`: the file has the blocks that the library makes, and the figures are of that file.
+#include <algorithm>
 #include <cstring>
 
 #include <gmock/gmock.h>
@@ -32,9 +33,9 @@ TEST_F(ImageCommand, WritesTheBlocks) {
   std::vector<ref::CoreBlock> blocks(bytes.size() / ref::core_block_bytes);
   std::memcpy(blocks.data(), bytes.data(), bytes.size());
   const ref::CoreImage image = ref::checked_image(std::move(blocks));
-  EXPECT_EQ(image.triangles, row.at("triangles").get<std::uint32_t>());
+  EXPECT_EQ(image.header.triangles, row.at("triangles").get<std::uint32_t>());
   EXPECT_EQ(image.records, row.at("records").get<std::uint32_t>());
-  EXPECT_EQ(image.triangles, 24578U);
+  EXPECT_EQ(image.header.triangles, 24578U);
 }
 
 TEST_F(ImageCommand, WritesBesideItWhereTheMeshLies) {
@@ -47,7 +48,7 @@ TEST_F(ImageCommand, WritesBesideItWhereTheMeshLies) {
   EXPECT_EQ(beside.at("dropped_triangles"), nlohmann::json::array({0}));
   EXPECT_NEAR(beside.at("cube").at("scale").get<double>(), 0.5, 0.001);  // and a margin
   EXPECT_EQ(beside.at("units_of_a_corner_in_half_the_cube"), 63);
-  EXPECT_EQ(beside.at("image").at("blocks"), 2);
+  EXPECT_EQ(beside.at("image").at("blocks"), 6);
 }
 
 TEST_F(ImageCommand, ChecksAFile) {
@@ -55,6 +56,7 @@ TEST_F(ImageCommand, ChecksAFile) {
   const Outcome whole = run_hitpipe({"core", "image", "--check", file_.string()});
   EXPECT_EQ(whole.exit_code, 0) << whole.err;
   EXPECT_THAT(whole.out, ContainsRegex("triangles +24,578\n"));
+  EXPECT_THAT(whole.out, ContainsRegex("offset +0,4\\.25,0\\.2[0-9]*\nscale +0\\.1085[0-9]+\n"));
   const auto complaint = [&](const std::string& bytes) {
     folder_.write("scene.bin", bytes);
     const Outcome outcome = run_hitpipe({"core", "image", "--check", file_.string()});
@@ -65,10 +67,14 @@ TEST_F(ImageCommand, ChecksAFile) {
   const std::string bytes = contents_of(file_);
   const std::string start = "hitpipe: " + file_.string() + ": ";
   EXPECT_THAT(complaint(bytes.substr(0, 600'000)),
-              ContainsRegex(start + "block [0-9]+ of the image: a child lies outside the image\n"));
+              ContainsRegex(start + "there are 18750 blocks; allowed are [0-9]+, as the header says\n"));
   EXPECT_EQ(complaint(bytes.substr(0, 600'001)),
-            start + "has 600001 bytes; allowed are whole blocks of 32\n");
-  EXPECT_THAT(complaint(std::string(100'000, '\0')), HasSubstr("block 1 of the image: nothing leads to it"));
+            start + "there are 600001 bytes; allowed are whole blocks of 32\n");
+  std::string half = bytes;
+  std::fill(half.begin() + 600'000, half.end(), '\0');
+  EXPECT_EQ(complaint(half), start + "the checksum differs: the image was changed or half written\n");
+  EXPECT_EQ(complaint(std::string(100'000, '\0')),
+            start + "there is no header; allowed is a file of `hitpipe core image`\n");
 }
 
 TEST_F(ImageCommand, RefusesMoreBlocksThanACoreReads) {

@@ -180,7 +180,7 @@ TEST(CoreLink, OtherCoreIsRefused) {
 
 TEST(CoreLink, SceneThatDoesNotFitIsRefused) {
   ref::CoreImage image = picture().image;
-  image.levels = 25;
+  image.header.levels = 25;
   EXPECT_EQ(message_of<std::runtime_error>([&] { check_fits(small_core(), image); }),
             "the scene has 25 records on a path; the core on the board allows 24");
   image.blocks.resize(1025);

@@ -316,7 +316,7 @@ TEST(CoreWithADamagedImage, AnswersEveryRay) {
   ref::CoreRecord first = ref::record_of(image.blocks[0]);
   ref::CoreRecord loop = first;
   loop.pointer = 0;
-  image.blocks[0] = to_block(loop);
+  image.blocks[0] = to_block(loop, 8);
   const CoreCounts looped = counts_of(image, 100);
   EXPECT_GT(looped.failed, 0U);
   EXPECT_LE(looped.records, 100 * looped.rays);
@@ -324,8 +324,8 @@ TEST(CoreWithADamagedImage, AnswersEveryRay) {
   for (const std::uint32_t place : {0U, 1U, 1'000'000U}) {
     ref::CoreRecord away = ref::record_of(image.blocks[first.pointer]);
     away.pointer = static_cast<std::uint32_t>(image.blocks.size()) - 1 + place;
-    image.blocks[0] = to_block(first);
-    image.blocks[first.pointer] = to_block(away);
+    image.blocks[0] = to_block(first, 8);
+    image.blocks[first.pointer] = to_block(away, 8);
     EXPECT_GT(counts_of(image, 100).failed, 0U) << place;
   }
 }

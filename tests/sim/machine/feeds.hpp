@@ -64,14 +64,14 @@ inline CoreBlock any_record(Seeded& random, int coord, int address) {
   record.pointer = static_cast<std::uint32_t>(random.value(address));
   for (std::int32_t& count : record.counts)
     count = random.between(PairChild::none, ref::CoreRecord::most_in_leaf);
-  return to_block(record);
+  return to_block(record, coord);
 }
 inline CoreBlock any_triangle(Seeded& random, int coord) {
   ref::CoreTriangle triangle;
   for (ref::IntTriangle::Corner& corner : triangle.triangle.corners)
     for (std::int32_t& x : corner) x = static_cast<std::int32_t>(signed_value(random, coord));
   triangle.number = static_cast<std::uint32_t>(random.value(32));
-  return to_block(triangle);
+  return to_block(triangle, coord);
 }
 
 /// A new ray on the ports that both machines have.

@@ -124,8 +124,8 @@ class SerialTriangle {
   }
   void read() {
     const auto number = static_cast<std::uint32_t>(random_.value(32));
-    feeds::give(ref::to_block(ref::CoreTriangle{pending_->triangle, number}), place_, true, bits_.ray,
-                machine_.in);
+    feeds::give(ref::to_block(ref::CoreTriangle{pending_->triangle, number}, bits_.coord), place_, true,
+                bits_.ray, machine_.in);
     machine_.in["read_valid"] = 1;
     read_ = {{{"read_ray", static_cast<std::int64_t>(place_)}, {"number", number}}};
     const auto crossing = ref::int_crossing(pending_->ray, pending_->triangle, pending_->bits);

@@ -1,6 +1,7 @@
 // Blocks of the core's memory: what is written is read again, and what is damaged is refused.
 #include "sw_ref/core/core_image.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <random>
 
@@ -36,8 +37,8 @@ TEST(CoreBlock, ReadsWhatWasWritten) {
     record.pointer = static_cast<std::uint32_t>(random());
     for (auto& count : record.counts) count = within(PairChild::none, CoreRecord::most_in_leaf);
     triangle.number = static_cast<std::uint32_t>(random());
-    ASSERT_EQ(record_of(to_block(record)), record);
-    ASSERT_EQ(triangle_of(to_block(triangle)), triangle);
+    ASSERT_EQ(record_of(to_block(record, 24)), record);
+    ASSERT_EQ(triangle_of(to_block(triangle, 24)), triangle);
   }
 }
 
@@ -49,21 +50,59 @@ TEST(CoreBlock, HasItsFieldsInTheirPlaces) {
   record.boxes.owners = 0b100001;
   record.pointer = 0x89abcdef;
   record.counts = {PairChild::branch, 3};
-  EXPECT_EQ(to_block(record),
-            (CoreBlock{0xffff'0000'0200'0001, 0x0600'0005'0000'04ff, 0x89ab'cdef'0021'0000, 0x3ff}));
+  EXPECT_EQ(to_block(record, 20), (CoreBlock{0xffff'0000'0200'0001, 0x0600'0005'0000'04ff,
+                                             0x89ab'cdef'0021'0000, 0x5400'0000'0000'03ff}));
+  CoreTriangle triangle;
+  triangle.triangle.corners = {{{1, 2, 3}, {4, 5, 6}, {7, 8, -1}}};
+  triangle.number = 0x89abcdef;
+  EXPECT_EQ(to_block(triangle, 9), (CoreBlock{0x0003'0000'0200'0001, 0x0600'0005'0000'0400,
+                                              0x0000'0800'0007'0000, 0x6989'abcd'efff'ffff}));
+}
+
+/// docs/core.md has these places too.
+TEST(CoreHeader, HasItsFieldsInTheirPlaces) {
+  std::vector<CoreBlock> blocks(4);
+  const CoreHeader header{.coord_bits = 20,
+                          .levels = 17,
+                          .triangles = 5,
+                          .missing = 3,
+                          .to_cube = {.offset = {1.0, -2.0, 0.5}, .scale = 0.25}};
+  put_header(blocks, header);
+  EXPECT_EQ(blocks[1], (CoreBlock{0x0165'7069'7074'6968, 0x0000'0004'0000'1114, 0x0000'0003'0000'0005, 0}));
+  EXPECT_EQ(blocks[2], (CoreBlock{0x3ff0'0000'0000'0000, 0xc000'0000'0000'0000, 0x3fe0'0000'0000'0000, 0}));
+  EXPECT_EQ(blocks[3], (CoreBlock{0x3fd0'0000'0000'0000, blocks[3][1], 0, 0}));
+  const CoreHeader again = header_of(blocks);
+  EXPECT_EQ(again.coord_bits, 20);
+  EXPECT_EQ(again.levels, 17);
+  EXPECT_EQ(again.triangles, 5U);
+  EXPECT_EQ(again.missing, 3U);
+  EXPECT_EQ(again.to_cube.offset, header.to_cube.offset);
+  EXPECT_EQ(again.to_cube.scale, 0.25);
+}
+
+TEST(CoreHeader, SeesEachBitThatChanges) {
+  const std::vector<CoreBlock> blocks = core_image(hills_in({}, 2)).blocks;
+  std::mt19937 random(1);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<CoreBlock> changed = blocks;
+    changed[random() % changed.size()][random() % 4] ^= std::uint64_t{1} << random() % 64;
+    EXPECT_THROW((void)header_of(changed), std::runtime_error);
+  }
 }
 
 TEST(CoreImage, HoldsTheScene) {
   for (const int max_triangles : {1, 2, 6}) {
     const IntScene scene = hills_in({}, max_triangles);
     const CoreImage image = core_image(scene);
-    EXPECT_EQ(image.triangles, scene.mesh.triangles.size());
-    EXPECT_EQ(image.blocks.size(), image.records + image.triangles);
+    EXPECT_EQ(image.header.triangles, scene.mesh.triangles.size());
+    const std::size_t used = image.records + image.header.triangles + header_blocks;
+    EXPECT_EQ(image.blocks.size(), used + used % 2) << "whole lines of 64 bytes";
+    EXPECT_EQ(image.header.to_cube.scale, scene.scene.to_cube.scale);
     EXPECT_EQ(image.bytes(), 32 * image.blocks.size());
     const CoreImage again = checked_image(image.blocks);
     EXPECT_EQ(again.records, image.records);
-    EXPECT_EQ(again.triangles, image.triangles);
-    EXPECT_EQ(again.levels, image.levels);
+    EXPECT_EQ(again.header.triangles, image.header.triangles);
+    EXPECT_EQ(again.header.levels, image.header.levels);
   }
 }
 
@@ -71,8 +110,8 @@ TEST(CoreImage, OfAnEmptyMeshHasARecordWithoutChildren) {
   Scene empty = sim::hills();
   empty.mesh = {};
   const CoreImage image = core_image(int_scene(empty, {}));
-  ASSERT_EQ(image.blocks.size(), 1U);
-  EXPECT_EQ(checked_image(image.blocks).triangles, 0U);
+  ASSERT_EQ(image.blocks.size(), 1U + header_blocks);
+  EXPECT_EQ(checked_image(image.blocks).header.triangles, 0U);
 }
 
 /// All triangles in one leaf.
@@ -85,15 +124,16 @@ TEST(CoreImage, SplitsALeafThatDoesNotFitItsCount) {
   bvh.nodes[0].count = all;
   bvh.nodes[0].first = 0;
   const CoreImage image = core_image(scene);
-  EXPECT_EQ(image.triangles, static_cast<std::uint32_t>(all));
+  EXPECT_EQ(image.header.triangles, static_cast<std::uint32_t>(all));
   EXPECT_EQ(image.records, 2U) << "the root's own, and one whose children are the halves";
-  EXPECT_EQ(checked_image(image.blocks).levels, 2);
+  EXPECT_EQ(checked_image(image.blocks).header.levels, 2);
 }
 
 struct Damage {
   const char* name;
   std::function<void(std::vector<CoreBlock>&)> change;
   const char* said;
+  const char* said_with_checksum = nullptr;
 };
 void PrintTo(const Damage& damage, std::ostream* out) {
   *out << damage.name;
@@ -103,56 +143,110 @@ void change_record(std::vector<CoreBlock>& blocks, std::size_t at,
                    const std::function<void(CoreRecord&)>& change) {
   CoreRecord record = record_of(blocks[at]);
   change(record);
-  blocks[at] = to_block(record);
+  blocks[at] = to_block(record, hls::WorldBits().coord);
 }
 std::size_t last_triangle(const std::vector<CoreBlock>& blocks) {
-  return blocks.size() - 1;
+  return blocks.size() - (blocks.back() == CoreBlock{} ? 2 : 1);
 }
+void change_triangle(std::vector<CoreBlock>& blocks, const std::function<void(CoreTriangle&)>& change) {
+  CoreTriangle last = triangle_of(blocks[last_triangle(blocks)]);
+  change(last);
+  blocks[last_triangle(blocks)] = to_block(last, hls::WorldBits().coord);
+}
+/// The first record behind the header.
+constexpr std::size_t top = 1 + header_blocks;
 
 class DamagedImage : public testing::TestWithParam<Damage> {};
 
-TEST_P(DamagedImage, IsRefused) {
-  std::vector<CoreBlock> blocks = core_image(hills_in({}, 2)).blocks;
-  GetParam().change(blocks);
+void expect_refused(std::vector<CoreBlock> blocks, const char* said) {
   try {
     (void)checked_image(std::move(blocks));
     FAIL() << "nothing was said";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr(GetParam().said));
+    EXPECT_THAT(error.what(), HasSubstr(said));
   }
 }
+
+TEST_P(DamagedImage, IsRefused) {
+  std::vector<CoreBlock> blocks = core_image(hills_in({}, 2)).blocks;
+  GetParam().change(blocks);
+  expect_refused(std::move(blocks), GetParam().said);
+}
+
+/// Somebody wrote the header of what is damaged.
+TEST_P(DamagedImage, IsRefusedWithARightChecksum) {
+  CoreImage image = core_image(hills_in({}, 2));
+  const CoreHeader header = image.header;
+  GetParam().change(image.blocks);
+  if (GetParam().said_with_checksum == nullptr) return;
+  put_header(image.blocks, header);
+  expect_refused(std::move(image.blocks), GetParam().said_with_checksum);
+}
+
+constexpr const char* differs = "the checksum differs";
 
 INSTANTIATE_TEST_SUITE_P(
     Images, DamagedImage,
     testing::Values(
-        Damage{"Empty", [](auto& b) { b.clear(); }, "the image is empty"},
-        Damage{"Outside", [](auto& b) { change_record(b, 1, [](CoreRecord& r) { r.pointer = 1'000'000; }); },
+        Damage{"Empty", [](auto& b) { b.clear(); }, "there is no header"},
+        Damage{"Zeros", [](auto& b) { b.assign(b.size(), {}); }, "there is no header"},
+        Damage{"OtherVersion", [](auto& b) { b[1][0] += std::uint64_t{1} << 56; },
+               "the image has version 2 of its layout; allowed is 1"},
+        Damage{"Cut", [](auto& b) { b.pop_back(); }, "blocks; allowed are", "a child lies outside the image"},
+        Damage{"HalfWritten",
+               [](auto& b) {
+                 std::fill(b.begin() + static_cast<std::ptrdiff_t>(b.size() / 2), b.end(), CoreBlock{});
+               },
+               "the checksum differs", "of this grid"},
+        Damage{"Outside",
+               [](auto& b) { change_record(b, top, [](CoreRecord& r) { r.pointer = 1'000'000; }); }, differs,
                "a child lies outside the image"},
-        Damage{"Cut", [](auto& b) { b.pop_back(); }, "a child lies outside the image"},
-        Damage{"Loop", [](auto& b) { change_record(b, 1, [](CoreRecord& r) { r.pointer = 0; }); },
+        Damage{"Loop", [](auto& b) { change_record(b, top, [](CoreRecord& r) { r.pointer = 0; }); }, differs,
                "two records lead to it, or a loop"},
-        Damage{"Unreached", [](auto& b) { b.push_back({}); }, "nothing leads to it"},
+        Damage{"Unreached", [](auto& b) { b.insert(b.end(), 2, {}); }, "blocks; allowed are",
+               "nothing leads to it"},
         Damage{"SecondRoot", [](auto& b) { change_record(b, 0, [](CoreRecord& r) { r.counts[1] = 1; }); },
-               "the root's own record has a second child"},
+               differs, "the root's own record has a second child"},
+        Damage{"OtherGrid", [](auto& b) { b[0] = to_block(record_of(b[0]), 16); }, differs,
+               "block 0 of the image: it is no record of this grid"},
+        Damage{"TriangleForRecord", [](auto& b) { b[top] = b[last_triangle(b)]; }, differs,
+               "it is no record of this grid"},
+        Damage{"RecordForTriangle", [](auto& b) { b[last_triangle(b)] = b[0]; }, differs,
+               "it is no triangle of this grid"},
         Damage{"SmallBox",
                [](auto& b) {
-                 CoreTriangle last = triangle_of(b[last_triangle(b)]);
-                 last.triangle.corners[0][0] = 262'143;
-                 last.triangle.corners[1][0] = -262'143;
-                 b[last_triangle(b)] = to_block(last);
+                 change_triangle(b, [](CoreTriangle& last) {
+                   last.triangle.corners[0][0] = 262'143;
+                   last.triangle.corners[1][0] = -262'143;
+                 });
                },
-               "its leaf's box does not hold the triangle whole"},
+               differs, "its leaf's box does not hold the triangle whole"},
         Damage{"NoNumber",
-               [](auto& b) {
-                 CoreTriangle last = triangle_of(b[last_triangle(b)]);
-                 last.number = IntHit::none;
-                 b[last_triangle(b)] = to_block(last);
-               },
-               "a triangle with the number of none"},
+               [](auto& b) { change_triangle(b, [](CoreTriangle& last) { last.number = IntHit::none; }); },
+               differs, "a triangle with the number of none"},
         Damage{"WideBox",
-               [](auto& b) { change_record(b, 1, [](CoreRecord& r) { r.boxes.planes.max[0] = 262'143; }); },
-               "a child's box is not inside its parent's"}),
+               [](auto& b) { change_record(b, top, [](CoreRecord& r) { r.boxes.planes.max[0] = 262'143; }); },
+               differs, "a child's box is not inside its parent's"}),
     [](const testing::TestParamInfo<Damage>& each) { return each.param.name; });
+
+/// A header whose counts are wrong, with a right checksum.
+TEST(CoreHeader, IsRefusedWhenItDoesNotTellTheTruth) {
+  const CoreImage image = core_image(hills_in({}, 2));
+  const auto with = [&](CoreHeader header) {
+    std::vector<CoreBlock> blocks = image.blocks;
+    put_header(blocks, header);
+    return blocks;
+  };
+  CoreHeader header = image.header;
+  ++header.levels;
+  expect_refused(with(header), "levels, but its header says");
+  header = image.header;
+  --header.triangles;
+  expect_refused(with(header), "triangles, but its header says");
+  header = image.header;
+  header.coord_bits = 19;
+  expect_refused(with(header), "block 0 of the image: it is no record of this grid");
+}
 
 }  // namespace
 }  // namespace hitpipe::ref::core_image_test
