@@ -84,7 +84,7 @@ std::vector<Row> turned(const std::vector<Row>& rows) {
 /// What a core answers a ray of a list, and the triangle that software finds.
 struct CoreRayAnswer {
   ref::IntHit hit;
-  bool failed;
+  hls::Failure failed;
   std::uint32_t exact;
 };
 

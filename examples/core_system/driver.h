@@ -1,4 +1,4 @@
-/* The driver of a core, in C: five calls, and one that reads a counter. Copy it to firmware with the
+/* The driver of a core, in C: six calls, and one that reads a counter. Copy it to firmware with the
    core's header, and supply the four functions of the platform. */
 #ifndef DRIVER_H
 #define DRIVER_H
@@ -35,22 +35,35 @@ static inline uint32_t core_read(uint32_t reg) {
   return bus_read(CORE_REGISTERS + reg);
 }
 
-/* Says where the image is, and lets rays begin. Otherwise it changes nothing, and returns why. */
-static inline const char* core_start(uint64_t image, uint64_t blocks) {
-  const uint64_t bytes = blocks * CORE_BLOCK_BYTES;
+/* Says where an image is, which core_read_image() has read, and lets rays begin. It may also change the image of a
+   core that has no ray. Otherwise it changes nothing, and returns why. */
+static inline const char* core_start(uint64_t address, const struct core_image* image) {
+  const uint64_t end = address + (uint64_t)image->blocks * CORE_BLOCK_BYTES - 1;
   if (core_read(CORE_REG_IDENTITY) != CORE_IDENTITY) return "no core answers at that address";
   if (core_read(CORE_REG_VERSION) != CORE_VERSION) return "the core has another version than its header";
-  if (image % CORE_BLOCK_BYTES != 0) return "the image does not begin at a multiple of 32";
-  if (blocks == 0) return "the image has no block";
-  if ((blocks - 1) >> CORE_BLOCK_BITS != 0) return "the image has more blocks than the core can name";
-  if (CORE_ADDRESS_BITS < 64 && (image + bytes - 1) >> (CORE_ADDRESS_BITS % 64) != 0)
+  if (core_read(CORE_REG_FORMAT) != CORE_FORMAT || core_read(CORE_REG_SHAPE) != CORE_SHAPE ||
+      core_read(CORE_REG_PORTS) != CORE_PORTS)
+    return "the core was made with other options than its header";
+  if (!(core_read(CORE_REG_STATUS) & CORE_IDLE)) return "the core has rays";
+  if (address % CORE_LINE_BYTES != 0) return "the image does not begin at a multiple of 64";
+  if (end < address || (CORE_ADDRESS_BITS < 64 && end >> (CORE_ADDRESS_BITS % 64) != 0))
     return "the image ends above the core's last address";
-  core_write(CORE_REG_BASE_LOW, (uint32_t)image);
-  core_write(CORE_REG_BASE_HIGH, (uint32_t)(image >> 32));
-  core_write(CORE_REG_LAST_BLOCK, (uint32_t)(blocks - 1));
+  core_write(CORE_REG_BASE_LOW, (uint32_t)address);
+  core_write(CORE_REG_BASE_HIGH, (uint32_t)(address >> 32));
+  core_write(CORE_REG_LAST_BLOCK, image->blocks - 1);
   core_write(CORE_REG_MOST_RAYS, CORE_RAYS);
+  core_write(CORE_REG_STATUS, 0xffffffffu); /* forget what went wrong before */
   core_write(CORE_REG_CLEAR_COUNTERS, 0);
   return NULL;
+}
+
+/* Gives up all rays that are in the core: they get no answer, but one that is offered is to be taken. Call it until it
+   returns true, and take answers meanwhile. Then core_start() again. */
+static inline bool core_stop(void) {
+  const uint32_t status = core_read(CORE_REG_STATUS);
+  if (status & CORE_IDLE) return true;
+  if (!(status & CORE_RESETTING)) core_write(CORE_REG_CONTROL, CORE_SOFT_RESET);
+  return false;
 }
 
 /* false: try again later. The answer has the same tag, a number of CORE_TAG_BITS bits. */

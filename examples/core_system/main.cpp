@@ -3,10 +3,9 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "driver.h"
@@ -16,14 +15,13 @@ uint32_t place_image(const char* file_name);  // the system puts the file into m
 constexpr int width = 160, height = 120, pixels = width * height;  // a pixel's number is its ray's tag
 static_assert(pixels <= 1 << CORE_TAG_BITS);
 
-// A ray is in the image's cube, [-1, 1]. hitpipe moves a scene into it so that mesh, eye and lights just fit;
-// the longest side of `spheres` is z, from -9 to 9.4. So this is the ray of `hitpipe render` through a pixel.
+// The ray of `hitpipe render` through a pixel, in the mesh's own units.
 struct Line {
-  float origin[3], direction[3];
+  double origin[3];
+  float direction[3];
 };
 Line camera_line(int pixel) {
-  constexpr double eye[] = {0.5, 3.9, 9.4}, target[] = {0, 1.42, 0}, centre[] = {0, 4.25, 0.2};
-  constexpr double scale = (1 - 0x1p-10) / 9.2, fov = 39 * 3.14159265358979 / 180;
+  constexpr double eye[] = {0.5, 3.9, 9.4}, target[] = {0, 1.42, 0}, fov = 39 * 3.14159265358979 / 180;
   const double fx = target[0] - eye[0], fy = target[1] - eye[1], fz = target[2] - eye[2];  // forward
   const double flat = std::hypot(fx, fz), whole = std::hypot(flat, fy);
   const double side = 2 * std::tan(fov / 2) / height * whole;
@@ -31,20 +29,20 @@ Line camera_line(int pixel) {
                y = (height / 2.0 - pixel / width - 0.5) * side;
   const double dx = fx - x * fz / flat - y * fx * fy / flat / whole, dy = fy + y * flat / whole;
   const double dz = fz + x * fx / flat - y * fz * fy / flat / whole, length = std::hypot(dx, dy, dz);
-  const auto in_cube = [&](int axis) { return static_cast<float>((eye[axis] - centre[axis]) * scale); };
   return {
-      {in_cube(0), in_cube(1), in_cube(2)},
+      {eye[0], eye[1], eye[2]},
       {static_cast<float>(dx / length), static_cast<float>(dy / length), static_cast<float>(dz / length)}};
 }
 
 int main(int count, char** arguments) {
   if (count != 3) return std::fprintf(stderr, "core_system scene.bin picture.pgm\n"), 2;
 
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(arguments[1], error);
-  if (error || bytes < CORE_BLOCK_BYTES) return std::fprintf(stderr, "%s cannot be read\n", arguments[1]), 2;
-  const char* const refused = core_start(place_image(arguments[1]), bytes / CORE_BLOCK_BYTES);
-  if (refused) return std::fprintf(stderr, "core_system: %s\n", refused), 1;
+  std::ifstream file(arguments[1], std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  core_image image;
+  const char* refused = core_read_image(&image, reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
+  if (!refused) refused = core_start(place_image(arguments[1]), &image);
+  if (refused) return std::fprintf(stderr, "%s: %s\n", arguments[1], refused), 1;
 
   std::vector<uint8_t> picture(pixels), answers(pixels);
   uint64_t failed = 0, hits = 0;
@@ -53,18 +51,20 @@ int main(int count, char** arguments) {
     if (sent < pixels) {
       const Line line = camera_line(sent);
       core_ray ray;
-      core_make_ray(&ray, line.origin, line.direction, INFINITY);
+      core_make_mesh_ray(&ray, &image, line.origin, line.direction, INFINITY);
       if (core_send(static_cast<uint32_t>(sent), &ray)) ++sent;
     }
     uint32_t pixel;
     core_hit hit;
     while (core_take(&pixel, &hit)) {
       silent = 0, ++taken, ++answers.at(pixel);
-      failed += hit.failed;
+      if (hit.failed && failed++ == 0) std::fprintf(stderr, "pixel %u: %s\n", pixel, core_why(&hit));
       if (hit.failed || hit.number == CORE_NO_HIT) continue;
       ++hits;
-      const double distance = core_distance(&hit, camera_line(static_cast<int>(pixel)).direction);
-      picture[pixel] = static_cast<uint8_t>(std::min(255.0, 120 / distance / distance));  // a lamp at the eye
+      const double distance =
+          core_mesh_distance(&hit, &image, camera_line(static_cast<int>(pixel)).direction);
+      picture[pixel] =
+          static_cast<uint8_t>(std::min(255.0, 10'000 / distance / distance));  // a lamp at the eye
     }
   }
 

@@ -126,7 +126,7 @@ bool fifo_take(uint32_t* tag, uint8_t* bytes) {
   return chip.take(tag, bytes);
 }
 
-// An image may be anywhere in memory, at a multiple of 32.
+// An image may be anywhere in memory, at a multiple of 64.
 uint32_t place_image(const char* file_name) {
   constexpr uint32_t address = 0x1000;
   std::ifstream file(file_name, std::ios::binary);

@@ -43,6 +43,7 @@ using namespace channels;
 
 constexpr DataIf<"request_upper", 1, &BeatBits::halves> request_upper;  // the block is in the upper half
 constexpr Data<"beat_valid"> beat_valid;  // a beat; it is taken if `beat_ready` is 1
+constexpr Data<"beat_error"> beat_error;  // it could not be read, and so its block was not
 constexpr Data<"beat_0", 64> beat_0;
 constexpr DataIf<"beat_1", 64, &BeatBits::has<1>> beat_1;
 constexpr DataIf<"beat_2", 64, &BeatBits::has<2>> beat_2;
@@ -66,8 +67,8 @@ struct Beats {
   static constexpr const char* summary = "makes blocks of a memory bus's beats, which come in order";
   using Bits = BeatBits;
   using BuiltIn = FormatList<Fixed<BeatBits{64, 5}>>;
-  struct In : List<request_valid, request_ready, request_id, request_upper, beat_valid, beat_0, beat_1,
-                   beat_2, beat_3, beat_4, beat_5, beat_6, beat_7> {};
+  struct In : List<request_valid, request_ready, request_id, request_upper, beat_valid, beat_error, beat_0,
+                   beat_1, beat_2, beat_3, beat_4, beat_5, beat_6, beat_7> {};
   struct Out : Join<List<beat_ready>, BlockRead> {};
   struct State : Join<Queue::State, List<count, there_1>, Held<WholeBlock>> {};
   struct Memory : List<askers> {};
@@ -115,6 +116,10 @@ struct Beats {
             return select(taken, from < 4 ? words[from] : came[from - 4], words[k]);
           });
     };
+    Bit goes_on = D::lit(0, 1_w);
+    if (bits.several()) goes_on = any<D>(now[count]);
+    next[held<read_error>] =
+        select(taken, Bit(in[beat_error] | (goes_on & now[held<read_error>])), now[held<read_error>]);
     next[held<read_word_0>] = part(0);
     next[held<read_word_1>] = part(1);
     next[held<read_word_2>] = part(2);

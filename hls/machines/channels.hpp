@@ -5,6 +5,8 @@
 
 #include <tuple>
 
+#include "hls/machines/block_kind.hpp"
+#include "hls/machines/failure.hpp"
 #include "hls/machines/id_queue.hpp"
 #include "hls/machines/record.hpp"
 #include "hls/machines/walk_format.hpp"
@@ -95,7 +97,7 @@ struct WalkInterval : List<enters_at, leaves_at> {};
 
 // From the walker to best_hits: a ray's walk has ended.
 constexpr Data<"ended"> ended;
-constexpr Data<"failed"> failed;  // at a bound, of steps or of levels, or the ray is lost
+constexpr Data<"failed", failure_bits> failed;  // a Failure
 struct Ended : List<ended, walk_ray, failed> {};
 
 // From the reader to requests: a block is wanted.
@@ -131,7 +133,8 @@ constexpr Data<"read_word_0", 64> read_word_0;
 constexpr Data<"read_word_1", 64> read_word_1;
 constexpr Data<"read_word_2", 64> read_word_2;
 constexpr Data<"read_word_3", 64> read_word_3;
-struct BlockWords : List<read_word_0, read_word_1, read_word_2, read_word_3> {};
+constexpr Data<"read_error"> read_error;  // it could not be read, and the words mean nothing
+struct BlockWords : List<read_word_0, read_word_1, read_word_2, read_word_3, read_error> {};
 struct BlockRead : Join<List<read_valid, read_id>, BlockWords> {};
 
 /// Who gets the block.
@@ -155,6 +158,11 @@ constexpr auto piece(const auto& in) {
     return cat(slice(in[word(Width<last>())], Width<(At + Bits - 1) % 64>(), 0_w),
                slice(lower, 63_w, Width<low>()));
 }
+/// The block could not be read, or is not of this kind and grid.
+template <class D>
+constexpr typename D::bit is_unread(const auto& in, BlockKind kind, int coord_bits) {
+  return in[read_error] | ~is<D>(piece<248, 8>(in), kind_byte(kind, coord_bits));
+}
 /// The coordinate with that number, in `width` bits.
 template <int I>
 constexpr auto coordinate(const auto& in, const auto& width) {
@@ -171,7 +179,8 @@ struct Begins : List<begins, test_ray> {
 constexpr Data<"block", address_bits> block;  // of child 0; child 1 follows
 constexpr Data<"count_0", child_count_bits> count_0;
 constexpr Data<"count_1", child_count_bits> count_1;
-struct Children : List<block, count_0, count_1> {};
+constexpr Data<"flaw", lost_bits> flaw;  // a Lost: the ray is lost by this record
+struct Children : List<block, count_0, count_1, flaw> {};
 
 // From a unit, or a machine in its place: the test of a ray has ended, with HIT or without.
 constexpr Data<"tested"> tested;
@@ -195,11 +204,13 @@ struct Halves {
   using Items = List<high, low>;
 };
 
-// From triangle_feed to best_hits: a triangle has been read for a ray.
+// From triangle_feed to best_hits and to the reader: a triangle has been read for a ray.
 constexpr Data<"reads"> reads;
 constexpr Data<"read_ray", ray_bits> read_ray;
 constexpr Data<"number", triangle_number_bits> number;
+constexpr Data<"unread"> unread;  // it was none, so its test means nothing
 struct TriangleRead : List<reads, read_ray, number> {};
+struct TriangleFlaw : List<reads, read_ray, unread> {};
 
 // From the divider to best_hits: what a hit is. Back comes what the ray `asked` has, in the next cycle: the
 // number of the triangle that it was tested with, T of its best hit, which is its length before the first one,
@@ -224,8 +235,8 @@ struct Divided : List<divided, divided_ray, divided_stops> {};
 // From the reader to best_hits: a ray is done with its leaf.
 constexpr Data<"leaf_done"> leaf_done;
 constexpr Data<"leaf_ray", ray_bits> leaf_ray;
-constexpr Data<"leaf_stops"> leaf_stops;  // it wants nothing else
-constexpr Data<"leaf_lost"> leaf_lost;    // because a block that it wants is not in the image
+constexpr Data<"leaf_stops"> leaf_stops;           // it wants nothing else
+constexpr Data<"leaf_lost", lost_bits> leaf_lost;  // a Lost, because of a block that it wants
 struct LeafDone : List<leaf_done, leaf_ray, leaf_stops, leaf_lost> {};
 
 // From best_hits to the walker: the same a cycle later, with the ray's length now as a box distance.
@@ -233,7 +244,7 @@ constexpr Data<"returns"> returns;
 constexpr Data<"return_ray", ray_bits> return_ray;
 constexpr Data<"return_cut", box_bits> return_cut;
 constexpr Data<"return_stops"> return_stops;
-constexpr Data<"return_lost"> return_lost;
+constexpr Data<"return_lost", lost_bits> return_lost;
 struct Returns : List<returns, return_ray, return_cut, return_stops, return_lost> {};
 
 // From best_hits to replies: a ray's answer.
@@ -241,7 +252,7 @@ constexpr Data<"answers"> answers;
 constexpr Data<"answered", ray_bits> answered;
 constexpr Data<"answer_t", distance_bits> answer_t;
 constexpr Data<"answer_number", triangle_number_bits> answer_number;  // all ones: no hit
-constexpr Data<"answer_failed"> answer_failed;
+constexpr Data<"answer_failed", failure_bits> answer_failed;
 struct Answers : List<answers, answered, answer_t, answer_number, answer_failed> {};
 
 /// An answer that leaves, with the tag of its ray. With weights it passes through two machines.
@@ -251,7 +262,7 @@ struct HitsOf {
   static constexpr Data<Prefix + Name("tag"), tag_bits> tag{};
   static constexpr Data<Prefix + Name("t"), distance_bits> t{};
   static constexpr Data<Prefix + Name("number"), triangle_number_bits> number{};  // all ones: no hit
-  static constexpr Data<Prefix + Name("failed")> failed{};
+  static constexpr Data<Prefix + Name("failed"), failure_bits> failed{};          // a Failure
   static constexpr Data<Prefix + Name("ready")> ready{};
   using Items = List<valid, tag, t, number, failed>;
   using Back = List<ready>;
@@ -269,8 +280,8 @@ using HitsToWeights = HitsOf<"reply_">;
 using FreedToWeights = FreedOf<"reply_">;
 
 // What the host says. None may change while rays are in flight but `most_rays`, which may grow.
-inline constexpr auto base_bits = [](const auto& format) { return format.bytes - 5; };
-constexpr Data<"base", base_bits> base;                    // the image's address, divided by 32
+inline constexpr auto base_bits = [](const auto& format) { return format.bytes - 6; };
+constexpr Data<"base", base_bits> base;                    // the image's address, divided by 64
 constexpr Data<"last", address_bits> last;                 // the image's last block
 constexpr Data<"most_steps", step_count_bits> most_steps;  // records that a walk may test
 constexpr Data<"most_rays", ray_count_bits> most_rays;     // in flight, 1 or more

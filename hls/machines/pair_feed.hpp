@@ -6,6 +6,7 @@
 #include "hls/box/major_format.hpp"
 #include "hls/machines/channels.hpp"
 #include "hls/machines/memory.hpp"
+#include "hls/num/levels.hpp"
 #include "hls/world/world_format.hpp"
 
 namespace hitpipe::hls {
@@ -121,6 +122,7 @@ struct PairFeed {
   static constexpr void step(const auto& f, const auto& /*now*/, const auto& in, const auto& memory,
                              const auto& next) {
     using Bit = typename D::bit;
+    const PairFeedBits bits = f;
     const Bit new_ray = as("ray_begins", in[ray_valid] & in[ray_ready]);
     // The unit's origin is -x, or x + 1 on an axis that the ray goes back along.
     const auto negated = [&](const auto& x, const Bit& back) {
@@ -156,7 +158,13 @@ struct PairFeed {
     next[held<own_xmax>] = piece<147, 1>(in);
     next[held<own_ymax>] = piece<148, 1>(in);
     next[held<own_zmax>] = piece<149, 1>(in);
-    next[held<block>] = resize(piece<160, 32>(in), block.width(f));
+    const auto pointer = piece<160, 32>(in);
+    next[held<block>] = resize(pointer, block.width(f));
+    const Bit no_record = as("no_record", is_unread<D>(in, record_block, bits.coord));
+    const auto too_large = either(
+        block.width(f) < 32_w, pointer, [&](const auto& p) { return any<D>(slice(p, 31_w, block.width(f))); },
+        [&](const auto&) { return D::lit(0, 1_w); });
+    next[held<flaw>] = cat(Bit(no_record | too_large), no_record);
     next[held<count_0>] = piece<192, child_count_bits>(in);
     next[held<count_1>] = piece<200, child_count_bits>(in);
   }

@@ -4,7 +4,7 @@
 //   goes     rays whose first block is to be asked for: a record, or the first triangle of a leaf
 //   missed   rays whose triangle was not hit
 //   divided  rays whose hit has been compared with the best one
-// No block outside the image is asked for.
+// No block outside the image is asked for. The test of what is no triangle means nothing, so its ray is lost.
 #pragma once
 
 #include "hls/machines/channels.hpp"
@@ -49,30 +49,32 @@ constexpr BlockOf<"go_words", &ReaderBits::rays, Go> go_words;  // the queues
 constexpr Block<"missed_rays", &ReaderBits::rays, ray_bits> missed_rays;
 constexpr BlockOf<"divided_rays", &ReaderBits::rays, Compared> divided_rays;
 constexpr BlockOf<"leaves", &ReaderBits::rays, Leaf> leaves;  // by ray
+constexpr Block<"flaws", &ReaderBits::rays, 1> flaws;         // by ray: its last triangle was none
 
 struct Reader {
   static constexpr const char* name = "reader";
   static constexpr const char* summary = "asks memory for records, and for a leaf's triangles in turn";
   using Bits = ReaderBits;
   using BuiltIn = FormatList<Fixed<ReaderBits{24, 5}>, Fixed<ReaderBits{24, 7}>>;
-  struct In : Join<Goes, Tested, Divided, Asks::Back, List<last>> {};
+  struct In : Join<Goes, TriangleFlaw, Tested, Divided, Asks::Back, List<last>> {};
   struct Out : Join<Asks, LeafDone> {};
   struct State : Join<GoQueue::State, MissQueue::State, DivideQueue::State,
                       List<there_1, stops_1, settled_1, ray_1, writes, writer, leaf>> {};
-  struct Memory : List<go_words, missed_rays, divided_rays, leaves> {};
+  struct Memory : List<go_words, missed_rays, divided_rays, leaves, flaws> {};
 
   template <class D>
   static constexpr void outputs(const auto& /*f*/, const auto& now, const auto& memory, const auto& out) {
+    using Bit = typename D::bit;
     const auto wants = wanted_by<D>(now, memory);
     out[asks] = wants.next | wants.go;
     out[asked_block] = select(wants.next, wants.leaf[block], wants.first[block]);
     out[asker] = select(wants.next, now[ray_1], wants.first[walk_ray]);
     out[triangle] = wants.next | wants.first[go_triangle];
-    const auto is_lost = wants.next_lost | wants.go_lost;
+    const Bit is_lost = wants.next_lost | wants.go_lost;
     out[leaf_done] = wants.done | is_lost;
     out[leaf_ray] = select(wants.go_lost, wants.first[walk_ray], now[ray_1]);
     out[leaf_stops] = now[stops_1] | is_lost;
-    out[leaf_lost] = is_lost;
+    out[leaf_lost] = cat(is_lost, Bit(wants.next_lost & wants.unread));
   }
 
   template <class D>
@@ -112,6 +114,8 @@ struct Reader {
     const auto taken = as("taken", select(divided_there, compared[divided_ray], memory[missed_rays].word()));
     const auto ray = as("asked_leaf", select(now[there_1], now[ray_1], taken));
     memory[leaves].ask(ray);
+    memory[flaws].write(in[reads], in[read_ray], in[unread]);
+    memory[flaws].ask(ray);
     memory[go_words].ask(GoQueue::step<D>(now, next, in[goes], Bit(go_granted | wants.go_lost)));
     memory[missed_rays].ask(MissQueue::step<D>(now, next, misses, takes_missed));
     memory[divided_rays].ask(DivideQueue::step<D>(now, next, in[divided], takes_divided));
@@ -131,23 +135,25 @@ struct Reader {
     using Bit = typename D::bit;
     struct Wants {
       Bit next, done, next_lost;  // the ray of stage 1: its leaf's next triangle, which may not be there
+      Bit unread;                 // or the last one was none
       decltype(memory[leaves].word()) leaf;
       Bit go, go_lost;  // the first of the queue `goes`
       decltype(memory[go_words].word()) first;
     };
     // Stage 1: the word of a leaf is there, unless one is to be written first.
     const auto its_leaf = memory[leaves].word();
-    const Bit leaf_outside = its_leaf[outside];
+    const Bit was_unread = memory[flaws].word();
+    const Bit is_bad = as("leaf_is_bad", was_unread | Bit(its_leaf[outside]));
     const Bit knows = as("knows", now[there_1] & now[settled_1] & ~now[writes]);
-    const Bit is_done = as("leaf_ends", knows & (now[stops_1] | ~any<D>(its_leaf[triangles])));
-    const Bit wants_next = as("wants_next", knows & ~is_done & ~leaf_outside);
-    const Bit next_lost = as("next_lost", knows & ~is_done & leaf_outside);
+    const Bit is_done = as("leaf_ends", knows & ~was_unread & (now[stops_1] | ~any<D>(its_leaf[triangles])));
+    const Bit wants_next = as("wants_next", knows & ~is_done & ~is_bad);
+    const Bit next_lost = as("next_lost", knows & ~is_done & is_bad);
 
     const auto first = memory[go_words].word();
     const Bit first_outside = first[outside];
     const Bit wants_go = as("wants_go", now[GoQueue::there] & ~first_outside & ~wants_next);
     const Bit go_lost = as("go_lost", now[GoQueue::there] & first_outside & ~knows);
-    return Wants{wants_next, is_done, next_lost, its_leaf, wants_go, go_lost, first};
+    return Wants{wants_next, is_done, next_lost, was_unread, its_leaf, wants_go, go_lost, first};
   }
 };
 

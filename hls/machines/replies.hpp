@@ -54,7 +54,8 @@ struct Replies {
     out[Hits::tag] = tag[ray_tag];
     out[Hits::t] = now[held<Hits::t>];
     out[Hits::number] = now[held<Hits::number>];
-    out[Hits::failed] = now[held<Hits::failed>] | tag[ray_error];
+    out[Hits::failed] = select(typename D::bit(tag[ray_error]), D::lit(no_ray, Width<failure_bits>()),
+                               now[held<Hits::failed>]);
     out[Freed::is] = now[freed_2];
     out[Freed::ray] = now[freed_ray_2];
   }

@@ -27,10 +27,11 @@ using namespace channels;
 
 // Two requests; the first is asked for.
 constexpr Control<"there_1"> there_1;
-constexpr Data<"block_1", base_bits> block_1;
+inline constexpr auto place_bits = [](const auto& format) { return format.bytes - 5; };
+constexpr Data<"block_1", place_bits> block_1;
 constexpr Data<"id_1", ray_count_bits> id_1;
 constexpr Control<"there_2"> there_2;
-constexpr Data<"block_2", base_bits> block_2;
+constexpr Data<"block_2", place_bits> block_2;
 constexpr Data<"id_2", ray_count_bits> id_2;
 
 struct Requests {
@@ -56,7 +57,7 @@ struct Requests {
                              const auto& next) {
     using Bit = typename D::bit;
     const Bit second = now[there_2];
-    const auto fresh_block = as("block", plus(in[base], in[asked_block]));
+    const auto fresh_block = as("block", plus(cat(in[base], D::lit(0, 1_w)), in[asked_block]));
     // The request behind the first one.
     const Bit there = select(second, second, in[asks]);
     const auto block = select(second, now[block_2], fresh_block);

@@ -53,6 +53,7 @@ struct SceneMemory {
     out[read_valid] = now[there_1];
     out.from_held(now, FirstWords());
     out[read_word_3] = memory[blocks].word();
+    out[read_error] = D::lit(0, 1_w);
   }
 
   template <class D>

@@ -67,7 +67,7 @@ struct SerialTriangle {
   using Bits = CoreBits;
   using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>>;
   struct In : Join<queue::In, Divides::Back> {};
-  struct Out : Join<TriangleRead, List<tested, hit>, Divides> {};
+  struct Out : Join<TriangleRead, List<unread, tested, hit>, Divides> {};
   struct State : Join<queue::State,
                       List<works, tested_1, hit_1, fetches, counter, fetched, reads_words, multiplied, code_2,
                            code_3, product, sum, det, left, quotient, compares, answers, nearer>> {};
@@ -78,6 +78,7 @@ struct SerialTriangle {
     out[reads] = now[queue::reads_1];
     out[read_ray] = now[queue::reader_1];
     out[number] = now[queue::number_1];
+    out[unread] = now[queue::unread_1];
     out[tested] = now[tested_1];
     out[hit] = now[hit_1];
     out[asked] = memory[queue::rays].word();

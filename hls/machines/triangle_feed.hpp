@@ -16,8 +16,8 @@ struct TriangleFeed {
   using Bits = CoreBits;
   using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>, Fixed<CoreBits{{20, 1, 20, 0, 0}, 7}>>;
   struct In : Join<queue::In, Begins::Back> {};
-  struct Out : Join<TriangleRead, Begins, queue::Origins, queue::Slopes, queue::Corner0, queue::Corner1,
-                    queue::Corner2> {};
+  struct Out : Join<TriangleRead, List<unread>, Begins, queue::Origins, queue::Slopes, queue::Corner0,
+                    queue::Corner1, queue::Corner2> {};
   using State = queue::State;
   using Memory = queue::Memory;
 
@@ -26,6 +26,7 @@ struct TriangleFeed {
     out[reads] = now[queue::reads_1];
     out[read_ray] = now[queue::reader_1];
     out[number] = now[queue::number_1];
+    out[unread] = now[queue::unread_1];
     out[begins] = now[queue::ready];
     out[test_ray] = memory[queue::rays].word();
     out.copy(memory[queue::origins].word());

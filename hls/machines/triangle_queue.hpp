@@ -19,7 +19,8 @@ constexpr Control<"ready"> ready;      // the words of the oldest triangle's ray
 constexpr Control<"reads_1"> reads_1;  // a triangle has come in the last cycle
 constexpr Data<"reader_1", ray_bits> reader_1;
 constexpr Data<"number_1", triangle_number_bits> number_1;
-struct State : Join<Queue::State, List<ready, reads_1, reader_1, number_1>> {};
+constexpr Data<"unread_1"> unread_1;
+struct State : Join<Queue::State, List<ready, reads_1, reader_1, number_1, unread_1>> {};
 
 // The oldest triangle by axis, and its ray by ray axis. They mean something if `ready` is 1.
 constexpr Data<"major_y"> major_y;
@@ -89,6 +90,8 @@ constexpr void step(const auto& f, const auto& now, const auto& in, const auto& 
   next[reads_1] = enters;
   next[reader_1] = reader_of(in);
   next[number_1] = piece<216, 32>(in);
+  const CoreBits bits = f;
+  next[unread_1] = is_unread<D>(in, triangle_block, bits.coord);
 }
 
 }  // namespace hitpipe::hls::triangle_queue

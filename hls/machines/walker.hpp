@@ -47,7 +47,7 @@ constexpr Data<"near", box_bits> near;
 constexpr Data<"far", box_bits> far;
 struct Entry : List<child, count, near, far> {};
 constexpr Data<"second", address_bits> second;  // the block of child 1
-struct Blocks : List<second, count_1, block, count_0> {};
+struct Blocks : List<flaw, second, count_1, block, count_0> {};
 struct Box0 : List<second_first, hit_0, near_0, far_0> {};
 struct Box1 : List<hit_1, near_1, far_1> {};
 struct Returned : List<return_ray, return_lost, return_stops, return_cut> {};
@@ -64,7 +64,7 @@ constexpr Control<"leaf_1"> leaf_1;
 constexpr Control<"fresh_1"> fresh_1;
 constexpr Control<"again_1"> again_1;
 constexpr Data<"stops_1"> stops_1;
-constexpr Data<"lost_1"> lost_1;
+constexpr Data<"lost_1", lost_bits> lost_1;
 constexpr Data<"cut_1", box_bits> cut_1;
 // Stage 2.
 constexpr Data<"ray_2", ray_bits> ray_2;
@@ -73,7 +73,7 @@ constexpr Data<"descends_2"> descends_2;
 constexpr Data<"begins_2"> begins_2;
 constexpr Data<"pops_2"> pops_2;
 constexpr Data<"ends_2"> ends_2;
-constexpr Data<"lost_2"> lost_2;
+constexpr Data<"lost_2", lost_bits> lost_2;
 constexpr Data<"some_2"> some_2;  // the stack has a place
 constexpr Data<"trail_2", &WalkBits::levels> trail_2;
 constexpr Data<"popped_2", &WalkBits::levels> popped_2;
@@ -88,7 +88,7 @@ constexpr Data<"entry_2", record_width<Entry>> entry_2;
 constexpr Data<"ray_3", ray_bits> ray_3;
 constexpr Control<"goes_3"> goes_3;
 constexpr Control<"ended_3"> ended_3;
-constexpr Data<"failed_3"> failed_3;
+constexpr Data<"failed_3", failure_bits> failed_3;
 constexpr Control<"again_3"> again_3;
 constexpr Data<"block_3", address_bits> block_3;
 constexpr Data<"count_3", child_count_bits> count_3;
@@ -151,8 +151,12 @@ struct Walker {
     using Bit = typename D::bit;
     const Bit record = as("first_is_record", is<D>(in[count_0], record_count));
     const auto blocks = as("first_blocks", select(record, D::lit(1, width_of(in[count_0])), in[count_0]));
-    const auto second_block = as("second_block", plus(in[block], blocks));
-    memory[children].write(in[begins], in[test_ray], second_block, in[count_1], in[block], in[count_0]);
+    const auto sum = as("second_block", in[block] + blocks);
+    const auto width = width_of(in[block]);
+    const auto above = slice(sum, width_of(sum) - 1_w, width);
+    const Bit goes_round = as("goes_round", any<D>(above) & any<D>(in[count_1]));
+    memory[children].write(in[begins], in[test_ray], in[flaw] | cat(goes_round, D::lit(0, 1_w)),
+                           slice(sum, width - 1_w, 0_w), in[count_1], in[block], in[count_0]);
     memory[boxes_0].write(in[tested], in[tester], in[second_first], in[hit_0], in[near_0], in[far_0]);
     memory[boxes_1].write(in[tested], in[tester], cat(in[hit_1], cat(in[near_1], in[far_1])));
   }
@@ -245,8 +249,9 @@ struct Walker {
     next[descends_2] = descends;
     next[begins_2] = now[fresh_1];
     next[pops_2] = pops;
-    next[lost_2] = now[leaf_1] & now[lost_1];
-    next[ends_2] = (now[leaf_1] & now[stops_1]) | (pops & Bit(bit_at(sum, trail.width(f))));
+    const auto lost = as("lost", only(now[leaf_1], now[lost_1]) | only(now[pair_1], both_children[flaw]));
+    next[lost_2] = lost;
+    next[ends_2] = (now[leaf_1] & now[stops_1]) | Bit(sign(lost)) | (pops & Bit(bit_at(sum, trail.width(f))));
   }
 
   /// Stage 2.
@@ -278,6 +283,7 @@ struct Walker {
     const Bit too_deep = as("too_deep", ~from_root & ~any<D>(parent));
     const Bit too_long = as("too_long", Bit(now[steps_2] == in[most_steps]));
     const Bit fails = as("fails", record & ~again & (too_deep | too_long));
+    const Bit at_bound = as("at_bound", fails & ~now[ends_2]);
 
     const Bit leaves_stack = as("leaves_stack", resumes);
     const auto walk = cat(now[trail_2], cat(cat(its_level, taken_up), cat(minus(now[used_2], leaves_stack),
@@ -288,7 +294,8 @@ struct Walker {
     next[ray_3] = now[ray_2];
     next[goes_3] = now[there_2] & ~now[ends_2] & ~fails & ~again;
     next[ended_3] = now[there_2] & (now[ends_2] | fails);
-    next[failed_3] = (fails & ~now[ends_2]) | now[lost_2];
+    next[failed_3] =
+        cat(sign(now[lost_2]), at_bound, Bit(at_bound & too_deep) | Bit(bit_at(now[lost_2], 0_w)));
     next[again_3] = now[there_2] & ~now[ends_2] & again;
     next[block_3] = entry[child];
     next[count_3] = entry[count];

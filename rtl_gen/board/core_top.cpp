@@ -16,6 +16,7 @@
 #include "rtl_gen/board/serial_line.hpp"
 #include "rtl_gen/board/top.hpp"
 #include "rtl_gen/core/axi.hpp"
+#include "rtl_gen/core/wires.hpp"
 #include "rtl_gen/machine/module.hpp"
 
 namespace hitpipe::rtl {
@@ -183,9 +184,8 @@ std::string core_board_top(const Core& core, int clocks_per_bit) {
 
   std::string wires = "  reg sending;  // an answer\n  wire hit_valid;\n  wire [7:0] hit_tag;\n";
   for (const Port& port : hit) wires += fmt::format("  wire {}{};\n", vector_range(port.width), port.name);
-  for (const char* const name :
-       {"request_valid", "request_ready", "request_address", "request_id", "read_valid", "read_id",
-        "read_word_0", "read_word_1", "read_word_2", "read_word_3"})
+  using namespace hls::channels;
+  for (const std::string_view name : field_names<hls::Join<Request, Request::Back, BlockRead>>)
     wires += fmt::format("  wire {}{};\n", vector_range(width_of_pin(core, name)), name);
 
   return fmt::format(

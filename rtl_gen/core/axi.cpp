@@ -12,6 +12,7 @@
 
 #include "hls/machines/beats.hpp"
 #include "hls/machines/registers.hpp"
+#include "rtl_gen/core/identity.hpp"
 #include "rtl_gen/machine/module.hpp"
 
 namespace hitpipe::rtl {
@@ -21,6 +22,8 @@ namespace {
 namespace channels = hls::channels;
 
 constexpr int counter_bits = 40;
+/// Above the core's identifiers. Few resets come while a read is on its way.
+constexpr int epoch_bits = 2;
 
 /// Ports of the core whose name begins so, without its beginning, but valid, ready and tag.
 std::vector<Port> ports_of(const Core& core, std::string_view before) {
@@ -67,7 +70,8 @@ ModuleInterface interface_of(const Core& core) {
       made.pins.push_back({channel + name, Role::data, channel, is_input, width});
   };
   const int tag = core.options.tag_bits;
-  const std::vector<std::pair<std::string, int>> none, id{{"id", core.pin(channels::request_id).width}};
+  const std::vector<std::pair<std::string, int>> none,
+      id{{"id", core.pin(channels::request_id).width + epoch_bits}};
   const auto& ids = core.options.has_one_id() ? none : id;
   const auto with_ids = [&](std::vector<std::pair<std::string, int>> data) {
     data.insert(data.begin() + 1, ids.begin(), ids.end());
@@ -91,11 +95,13 @@ ModuleInterface interface_of(const Core& core) {
   return made;
 }
 
-/// What each port of the core and of its registers is joined to.
+/// What each port of the core, of its registers and of `beats` is joined to. What passes between the core and its
+/// surroundings has two wires: that of the core is core_..., and the registers let it through.
 class Connections {
  public:
   /// `bits` are those of the beat of a ray, for each of its fields.
-  Connections(const std::vector<Port>& fields, const std::vector<std::string>& bits, bool has_one_id) {
+  Connections(const Core& core, const std::vector<Port>& fields, const std::vector<std::string>& bits) {
+    const bool has_one_id = core.options.has_one_id();
     for (std::size_t i = 0; i < fields.size(); ++i) ends_["ray_" + fields[i].name] = bits[i];
     for (const auto& [port, pin] :
          std::vector<std::pair<const char*, const char*>>{{"clk", "aclk"},
@@ -111,34 +117,71 @@ class Connections {
                                                           {"request_address", "m_axi_araddr"},
                                                           {"request_upper", "m_axi_araddr[5]"},
                                                           {"beat_valid", "m_axi_rvalid"},
+                                                          {"beat_error", "m_axi_rresp[1]"},
                                                           {"beat_ready", "m_axi_rready"}})
       ends_[port] = pin;
     for (int i = 0; i < 8; ++i)
       ends_[fmt::format("{}_{}", has_one_id ? "beat" : "read_word", i)] =
           fmt::format("m_axi_rdata[{}:{}]", 64 * i + 63, 64 * i);
     if (!has_one_id) {
-      ends_["request_id"] = "m_axi_arid";
-      ends_["read_id"] = "m_axi_rid";
-      ends_["read_valid"] = "m_axi_rvalid";
+      ends_["read_id"] = fmt::format("m_axi_rid[{}:0]", core.pin(channels::read_id).width - 1);
+      ends_["read_error"] = "m_axi_rresp[1]";
     }
+    const CoreIdentity identity = identity_of(core.options);
+    ends_["about_format"] = fmt::format("32'h{:08x}", identity.format);
+    ends_["about_shape"] = fmt::format("32'h{:08x}", identity.shape);
+    ends_["about_ports"] = fmt::format("32'h{:08x}", identity.ports);
     for (const char* const lite :
          {"awvalid", "awready", "awaddr", "wvalid", "wready", "wdata", "wstrb", "bvalid", "bready", "bresp",
           "arvalid", "arready", "araddr", "rvalid", "rready", "rdata", "rresp"})
       ends_[lite] = fmt::format("s_axi_{}", lite);
   }
 
-  [[nodiscard]] std::string instance(const ModuleInterface& inside, const std::string& name) const {
+  using Ends = std::map<std::string, std::string, std::less<>>;
+  /// `own` are the ends that this instance alone has.
+  [[nodiscard]] std::string instance(const ModuleInterface& inside, const std::string& name,
+                                     const Ends& own = {}) const {
     std::vector<std::string> list;
     for (const Pin& pin : inside.pins) {
-      const auto found = ends_.find(pin.name);
-      list.push_back(fmt::format("    .{}({})", pin.name, found == ends_.end() ? pin.name : found->second));
+      std::string end = pin.name;
+      for (const Ends& ends : {ends_, own})
+        if (const auto found = ends.find(pin.name); found != ends.end()) end = found->second;
+      list.push_back(fmt::format("    .{}({})", pin.name, end));
     }
     return fmt::format("  {} {} (\n{}\n  );\n", inside.module, name, fmt::join(list, ",\n"));
   }
 
  private:
-  std::map<std::string, std::string, std::less<>> ends_;
+  Ends ends_;
 };
+
+/// The registers say what passes.
+constexpr std::string_view gates = R"(
+  assign core_ray_valid = s_axis_ray_tvalid & lets_rays;
+  assign s_axis_ray_tready = core_ray_ready & lets_rays;
+  assign m_axis_hit_tvalid = core_hit_valid & lets_answers;
+  assign core_hit_ready = m_axis_hit_tready & lets_answers;
+  assign m_axi_arvalid = core_request_valid & lets_requests;
+  assign core_request_ready = m_axi_arready & lets_requests;
+)";
+
+/// {0}: bits of an epoch less 1, {1}: bits of an epoch, {2}: the lowest bit of it in an identifier, {3}: the highest.
+constexpr const char* with_identifiers = R"(
+  // A reset may come while reads are on their way. What they give has the epoch before, and is dropped.
+  reg [{0}:0] epoch;
+  reg was_reset;
+  initial begin
+    epoch = {1}'d0;
+    was_reset = 1'b0;
+  end
+  always @(posedge aclk) begin
+    was_reset <= ~aresetn;
+    if (~aresetn & ~was_reset) epoch <= epoch + {1}'d1;
+  end
+  assign m_axi_arid = {{epoch, request_id}};
+  assign read_valid = m_axi_rvalid & m_axi_rid[{3}:{2}] == epoch;
+  assign m_axi_rready = 1'b1;  // a block is taken at once
+)";
 
 /// The fields of a word, the high ones first, with zeros between.
 std::string joined(const std::vector<Port>& ports, std::string_view before) {
@@ -170,7 +213,7 @@ std::string axi_verilog(const Core& core) {
       core, "registers",
       hls::RegisterBits{options.address_bits, options.byte_bits, options.ray_bits(), counter_bits});
   const BeatText ray(ray_ports(core), "s_axis_ray_tdata"), hit(hit_ports(core), "m_axis_hit_tdata");
-  const Connections connections(ray_ports(core), ray.bits, options.has_one_id());
+  const Connections connections(core, ray_ports(core), ray.bits);
   std::string wires;
   const auto wire = [&](const std::string& name, int width) {
     wires += fmt::format("  wire {}{};\n", vector_range(width), name);
@@ -180,20 +223,33 @@ std::string axi_verilog(const Core& core) {
     (wire(Fields.name(), core.pin(Fields).width), ...);
   };
   join(channels::Settings::Items());
-  std::string instances = connections.instance(core.interface(), "core_i") +
+  for (const char* const gate :
+       {"lets_rays", "lets_requests", "lets_answers", "resets", "core_ray_valid", "core_ray_ready",
+        "core_hit_valid", "core_hit_ready", "core_request_valid", "core_request_ready"})
+    wire(gate, 1);
+  const int id_bits = core.pin(channels::request_id).width;
+  wire(channels::request_id.name(), id_bits);
+  std::string instances = connections.instance(core.interface(), "core_i",
+                                               {{"rst", "~aresetn | resets"},
+                                                {"ray_valid", "core_ray_valid"},
+                                                {"ray_ready", "core_ray_ready"},
+                                                {"hit_valid", "core_hit_valid"},
+                                                {"hit_ready", "core_hit_ready"},
+                                                {"request_valid", "core_request_valid"},
+                                                {"request_ready", "core_request_ready"}}) +
                           connections.instance(registers.interface, "registers_i");
-  std::string modules = registers.verilog,
-              ready = "  assign m_axi_rready = 1'b1;  // a block is taken at once\n";
+  std::string modules = registers.verilog, between(gates);
   if (options.has_one_id()) {
     const Around beats(core, "beats", hls::BeatBits{options.data_bits, options.ray_bits()});
-    wire(channels::request_id.name(), core.pin(channels::request_id).width);
     join(channels::BlockRead::Items());
     instances += connections.instance(beats.interface, "beats_i");
     modules += "\n" + beats.verilog;
-    ready.clear();
+  } else {
+    wire(channels::read_valid.name(), 1);
+    between += fmt::format(with_identifiers, epoch_bits - 1, epoch_bits, id_bits, id_bits + epoch_bits - 1);
   }
   std::vector<std::string> unused = ray.padding;
-  unused.insert(unused.end(), {"m_axi_rresp", "m_axi_rlast"});
+  unused.insert(unused.end(), {"m_axi_rresp[0]", "m_axi_rlast"});
   return fmt::format(
              R"(// The core {0} behind AXI: rays and answers by AXI4-Stream, registers by AXI4-Lite, blocks by AXI4.
 // Fields of s_axis_ray_tdata:
@@ -217,7 +273,8 @@ endmodule
 )",
              core.module, ray.layout, hit.layout, interface_of(core).head(), wires, instances,
              joined(hit_ports(core), "hit_"), options.beats() - 1,
-             hls::count_bits(CoreOptions::block_bits / options.beats() / 8), ready, fmt::join(unused, ", ")) +
+             hls::count_bits(CoreOptions::block_bits / options.beats() / 8), between,
+             fmt::join(unused, ", ")) +
          modules + "/* verilator lint_on DECLFILENAME */\n";
 }
 

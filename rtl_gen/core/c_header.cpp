@@ -9,7 +9,9 @@
 
 #include "hls/machines/registers.hpp"
 #include "rtl_gen/core/axi.hpp"
+#include "rtl_gen/core/c_image.hpp"
 #include "rtl_gen/core/c_ray.hpp"
+#include "rtl_gen/core/identity.hpp"
 
 namespace hitpipe::rtl {
 
@@ -55,18 +57,24 @@ std::string c_header(const Core& core) {
   std::string guard = core.module + "_h";
   for (char& letter : guard) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
   const hls::RayBits& bits = core.options.bits;
+  const CoreIdentity identity = identity_of(core.options);
   std::string registers, pack, unpack;
   const auto at = [&](const char* what, int place) {
     registers += fmt::format("#define CORE_{} 0x{:02x}\n", what, 4 * place);
   };
   at("REG_IDENTITY", hls::registers::identity_at);
   at("REG_VERSION", hls::registers::version_at);
+  at("REG_STATUS", hls::registers::status_at);
+  at("REG_CONTROL", hls::registers::control_at);
   at("REG_BASE_LOW", hls::registers::base_at);
   at("REG_BASE_HIGH", hls::registers::high_base_at);
   at("REG_LAST_BLOCK", hls::registers::last_at);
   at("REG_MOST_STEPS", hls::registers::most_steps_at);
   at("REG_MOST_RAYS", hls::registers::most_rays_at);
   at("REG_CLEAR_COUNTERS", hls::registers::clear_at);
+  at("REG_FORMAT", hls::registers::format_at);
+  at("REG_SHAPE", hls::registers::shape_at);
+  at("REG_PORTS", hls::registers::ports_at);
   int place = hls::registers::counters_at;
   for (const char* const counter :
        {"CYCLES", "RAYS", "ANSWERS", "HITS", "RECORDS", "TRIANGLES", "IDLE", "REFUSED"}) {
@@ -103,6 +111,7 @@ static inline uint64_t core_bits_of(float value) {
 #define {guard}
 
 {more_includes}#include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -110,11 +119,23 @@ static inline uint64_t core_bits_of(float value) {
 {registers}
 #define CORE_IDENTITY 0x{identity:08x}u
 #define CORE_VERSION {version}u
+/* What the registers CORE_REG_FORMAT, _SHAPE and _PORTS say of this core. */
+#define CORE_FORMAT 0x{format:08x}u
+#define CORE_SHAPE 0x{shape:08x}u
+#define CORE_PORTS 0x{ports:08x}u
+/* Bits of CORE_REG_STATUS. All but the first two stay until a 1 is written to them. */
+#define CORE_IDLE 0x{idle:x}u      /* no ray is in the core */
+#define CORE_RESETTING 0x{resetting:x}u /* a soft reset is on its way */
+#define CORE_FAILED(why) (0x{failed:x}u << (why)) /* an answer has failed by this, 1 to {most_failed} */
+#define CORE_BUS_ERROR 0x{bus:x}u  /* a block could not be read */
+#define CORE_BASE_ERROR 0x{base:x}u /* a base address was written that is no multiple of 64 */
+#define CORE_SOFT_RESET 1u /* to CORE_REG_CONTROL */
 #define CORE_RAYS {rays}
 #define CORE_TAG_BITS {tag_bits}
 #define CORE_ADDRESS_BITS {byte_bits}
 #define CORE_BLOCK_BITS {block_bits} /* of the number of a block */
 #define CORE_BLOCK_BYTES 32
+#define CORE_LINE_BYTES 64 /* an image begins at a multiple of it */
 #define CORE_BEAT_BYTES {beat_bytes}
 #define CORE_HAS_ONE_ID {has_one_id}
 #define CORE_NO_HIT 0xffffffffu
@@ -144,22 +165,28 @@ static inline void core_pack_ray(uint8_t* bytes, const struct core_ray* ray) {{
 {pack}}}
 static inline void core_unpack_hit(struct core_hit* hit, const uint8_t* bytes) {{
 {unpack}}}
-{rays_of_floats}{weights}
+{rays_of_floats}{weights}{image}
 #endif
 )",
       fmt::arg("module", core.module), fmt::arg("bits", to_string(Format(bits))),
       fmt::arg("rays", core.options.rays), fmt::arg("guard", guard),
       fmt::arg("more_includes", core.options.weights ? "#include <math.h>\n" : ""),
       fmt::arg("registers", registers), fmt::arg("identity", hls::registers::identity),
-      fmt::arg("version", hls::registers::version), fmt::arg("block_bits", core.options.address_bits),
-      fmt::arg("tag_bits", core.options.tag_bits), fmt::arg("byte_bits", core.options.byte_bits),
-      fmt::arg("beat_bytes", core.options.data_bits / 8),
+      fmt::arg("version", hls::registers::version), fmt::arg("format", identity.format),
+      fmt::arg("shape", identity.shape), fmt::arg("ports", identity.ports),
+      fmt::arg("idle", 1U << hls::registers::idle_bit),
+      fmt::arg("resetting", 1U << hls::registers::resetting_bit),
+      fmt::arg("failed", 1U << hls::registers::failed_bit), fmt::arg("most_failed", int{hls::unread_block}),
+      fmt::arg("bus", 1U << hls::registers::bus_bit), fmt::arg("base", 1U << hls::registers::base_bit),
+      fmt::arg("block_bits", core.options.address_bits), fmt::arg("tag_bits", core.options.tag_bits),
+      fmt::arg("byte_bits", core.options.byte_bits), fmt::arg("beat_bytes", core.options.data_bits / 8),
       fmt::arg("has_one_id", core.options.has_one_id() ? 1 : 0),
       fmt::arg("t_one", ((std::int64_t{1} << (bits.coord - 2)) - 1) << (bits.finer + bits.fraction)),
       fmt::arg("ray_bytes", stream_bits(ray) / 8), fmt::arg("hit_bytes", stream_bits(hit) / 8),
       fmt::arg("ray_fields", c_fields(ray)), fmt::arg("hit_fields", c_fields(hit)),
       fmt::arg("bits_of", bits_of), fmt::arg("pack", pack), fmt::arg("unpack", unpack),
-      fmt::arg("rays_of_floats", c_ray(core)), fmt::arg("weights", weights_function(core)));
+      fmt::arg("rays_of_floats", c_ray(core)), fmt::arg("weights", weights_function(core)),
+      fmt::arg("image", c_image(core)));
 }
 
 }  // namespace hitpipe::rtl

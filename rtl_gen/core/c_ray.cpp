@@ -149,8 +149,7 @@ constexpr std::string_view text_of_float_ray =
 )";
 
 constexpr std::string_view text_of_distance = R"(
-/* The place of a hit: origin + distance direction. It counts directions, so it is in the mesh's own units if the
-   direction is a vector of length 1 there, times the image's scale. */
+/* The place of a hit in the cube: origin + distance direction. */
 static inline double core_distance(const struct core_hit* hit, const float direction[3]) {
   return (double)hit->t / CORE_T_ONE / core_size(direction[core_major_axis(direction)]);
 }

@@ -25,7 +25,7 @@ namespace {
 std::string meaning_of(std::string_view output) {
   const auto is_output = [&](const CorePin& pin) { return pin.name == output; };
   if (std::any_of(pins::weights.begin(), pins::weights.end(), is_output))
-    return "want_hit_valid && !want_hit_failed && want_hit_number != 32'hffffffff";
+    return "want_hit_valid && want_hit_failed == 3'd0 && want_hit_number != 32'hffffffff";
   for (const std::string_view channel : {"hit", "request"})
     if (output.substr(0, output.find('_')) == channel && !output.ends_with("_valid"))
       return fmt::format("want_{}_valid", channel);

@@ -80,6 +80,7 @@ inline constexpr std::array answers_with_weights{
 inline constexpr std::array triangle_unit{
     link<NewNumber>("door", "triangle_feed"),
     link<TriangleRead>("triangle_feed", "best_hits"),
+    link<TriangleFlaw>("triangle_feed", "reader"),
     link<Divides>("divider", "best_hits"),
 };
 
@@ -87,6 +88,7 @@ inline constexpr std::array triangle_unit{
 inline constexpr std::array serial_triangle{
     link<NewNumber>("door", "serial_triangle"),
     link<TriangleRead>("serial_triangle", "best_hits"),
+    link<TriangleFlaw>("serial_triangle", "reader"),
     link<hls::List<tested, hit, asked>, Tested>("serial_triangle", "reader"),
     link<Divides>("serial_triangle", "best_hits"),
 };
@@ -138,7 +140,7 @@ inline constexpr std::array core{
     input(Hits::ready, "it has left at a clock edge with both high"),
     output(Hits::tag, "replies", ""),
     output(Hits::failed, "replies",
-           "1: no ray, at a bound of the walk, or outside the image; the rest means nothing"),
+           "0, or why it has failed: 1 no ray, 2 steps, 3 levels, 4 outside, 5 block not read"),
     output(Hits::number, "replies", "of the triangle; all ones: no hit"),
     output(Hits::t, "replies", "T of the hit; without one the ray's length"),
     output(request_valid, "requests", "a block of 32 bytes is wanted"),
@@ -151,7 +153,8 @@ inline constexpr std::array core{
     input(read_word_1, ""),
     input(read_word_2, ""),
     input(read_word_3, ""),
-    input(base, "address of the image, divided by 32; constant while rays are in flight, as all below"),
+    input(read_error, "1: it could not be read; its ray fails"),
+    input(base, "address of the image, divided by 64; constant while rays are in flight, as all below"),
     input(last, "number of the image's last block"),
     input(most_steps, "records that a ray may test, 1 or more"),
     input(most_rays, "rays in flight; it only grows until the next reset"),

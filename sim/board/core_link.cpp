@@ -106,7 +106,7 @@ FrameLink::Counts CoreLink::run(std::span<const CoreJob> jobs, std::span<CoreAns
       [&](std::uint64_t number, std::string_view body) {
         const std::vector<std::int64_t> fields = unpack(hit, body);
         answers[number] = {.hit = {.triangle = static_cast<std::uint32_t>(fields[1]), .t = fields[2]},
-                           .failed = fields[0] != 0};
+                           .failed = static_cast<hls::Failure>(fields[0])};
         if (++taken % 64 == 0 && progress)
           progress(static_cast<double>(taken) / static_cast<double>(jobs.size()));
       });

@@ -138,6 +138,7 @@ void CoreBench::take_block() {
   inputs_[at_[read_word_1]] = block_->block[1];
   inputs_[at_[read_word_2]] = block_->block[2];
   inputs_[at_[read_word_3]] = block_->block[3];
+  inputs_[at_[read_error]] = block_->error ? 1 : 0;
 }
 
 CoreWeights CoreBench::weights() const {
@@ -215,7 +216,7 @@ bool CoreBench::World::request() {
   const auto id = static_cast<std::uint32_t>(out(at[request_id]));
   // Addresses go round at their last bit.
   const auto mask = static_cast<std::uint64_t>(rtl::ones_below(bench_.core_.options.byte_bits - 5));
-  bench_.memory_.ask(static_cast<std::uint32_t>((block - bench_.options_.base) & mask), id);
+  bench_.memory_.ask(static_cast<std::uint32_t>((block - 2 * bench_.options_.base) & mask), id);
   ++reading_;
   ++((id >> bench_.core_.options.ray_bits()) != 0 ? bench_.counts_.triangles : bench_.counts_.records);
   return true;
@@ -236,7 +237,7 @@ std::optional<std::size_t> CoreBench::World::answer() {
   CoreAnswer& answer = answers_[places_[tag].job];
   answer = {.hit = {.triangle = static_cast<std::uint32_t>(out(at[Hits::number])),
                     .t = static_cast<std::int64_t>(out(at[Hits::t]))},
-            .failed = out(at[Hits::failed]) != 0};
+            .failed = static_cast<hls::Failure>(out(at[Hits::failed]))};
   if (bench_.core_.options.weights) answer.weights = bench_.weights();
   bench_.counts_.failed += answer.failed ? 1 : 0;
   places_[tag].answered = true;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hls/machines/channels.hpp"
+#include "hls/machines/failure.hpp"
 #include "hls/machines/weights.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "rtl_gen/machine/machine.hpp"
@@ -31,7 +32,7 @@ struct CoreWeights {
 };
 struct CoreAnswer {
   ref::IntHit hit;  ///< t is the ray's length where nothing is hit
-  bool failed = false;
+  hls::Failure failed = hls::not_failed;
   std::optional<CoreWeights> weights{};  ///< of a core that gives them
 };
 
@@ -53,7 +54,7 @@ struct CoreCounts {
 
 struct CoreBenchOptions {
   std::uint32_t most_steps = (1U << 20) - 1;  ///< records that a ray may test, 1 or more
-  std::uint64_t base = 0;                     ///< the image's address, divided by 32
+  std::uint64_t base = 0;                     ///< the image's address, divided by 64
   int held_percent = 0;                       ///< of all cycles take no answer, at random, 0..99
   std::uint64_t seed = 1;
 };

@@ -27,6 +27,9 @@ const MemoryOptions& checked(const MemoryOptions& options) {
   if (options.refused_percent < 0 || options.refused_percent > 99)
     throw std::invalid_argument(fmt::format("a memory that refuses in {} % of the cycles: allowed is 0 to 99",
                                             options.refused_percent));
+  if (options.error_percent < 0 || options.error_percent > 99)
+    throw std::invalid_argument(fmt::format(
+        "a memory that gives {} % of its answers as errors: allowed is 0 to 99", options.error_percent));
   if (options.most_waiting < 0)
     throw std::invalid_argument(
         fmt::format("a memory with at most {} requests on their way: allowed is 1 or more, or 0 for no limit",
@@ -65,6 +68,7 @@ MemoryModel::MemoryModel(std::span<const ref::CoreBlock> blocks, const MemoryOpt
       blocks_of_read_(options.cache_kib > 0 ? blocks_of_line : 1),
       latencies_(options.seed),
       refusals_(~options.seed),
+      errors_(options.seed + 1),
       cache_({.bytes = static_cast<std::uint64_t>(options.cache_kib) << 10}) {
   if (!options.in_order && options.least_latency < options.most_latency)
     calendar_.resize(std::bit_ceil(static_cast<std::size_t>(options.most_latency)));
@@ -173,6 +177,11 @@ std::optional<MemoryAnswer> MemoryModel::answer() {
   MemoryAnswer& built = answered.emplace();
   built.tag = request.tag;
   if (request.block < blocks_.size()) built.block = blocks_[request.block];
+  if (options_.error_percent > 0 && errors_.below(100) < static_cast<std::uint64_t>(options_.error_percent)) {
+    built.error = true;
+    // Of the right kind, so that nothing but the error tells.
+    for (std::size_t word = 0; word + 1 < built.block.size(); ++word) built.block[word] ^= errors_.bits();
+  }
   requests_.give_back(place);
   ++counts_.answers;
   --waiting_;

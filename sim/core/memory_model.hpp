@@ -22,6 +22,7 @@ struct MemoryOptions {
   bool in_order = false;    ///< answers in the order of their requests; else each when it is ready
   int interval = 1;         ///< for each block that memory gives, 1..most_cycles
   int refused_percent = 0;  ///< of all cycles refuse a request, at random, 0..99
+  int error_percent = 0;    ///< of all answers are errors, with other words than the block's, 0..99
   int most_waiting = 0;     ///< requests on their way; 0: no limit
   int cache_kib = 0;        ///< 0: no cache, else a power of two, 1..most_cache_kib
   int hit_latency = 4;      ///< of a request whose line is in the cache, 1..most_cycles
@@ -50,6 +51,7 @@ struct MemoryCounts {
 struct MemoryAnswer {
   std::uint32_t tag = 0;
   ref::CoreBlock block{};
+  bool error = false;
   friend bool operator==(const MemoryAnswer&, const MemoryAnswer&) = default;
 };
 
@@ -110,7 +112,7 @@ class MemoryModel {
   std::span<const ref::CoreBlock> blocks_;
   MemoryOptions options_;
   std::uint64_t blocks_of_read_;
-  ref::adversary::Random latencies_, refusals_;
+  ref::adversary::Random latencies_, refusals_, errors_;
   ref::LineCache cache_;
   MemoryCounts counts_;
 

@@ -17,13 +17,6 @@ namespace hitpipe::ref {
 using CoreBlock = std::array<std::uint64_t, 4>;
 inline constexpr std::size_t core_block_bytes = sizeof(CoreBlock);
 
-/// Uppermost bits of a block's last byte.
-enum CoreBlockKind : std::uint8_t { core_record = 0x40, core_triangle = 0x60 };
-/// The last byte of a block. A block of zeros is of no kind.
-[[nodiscard]] constexpr std::uint8_t kind_byte(CoreBlockKind kind, int coord_bits) {
-  return static_cast<std::uint8_t>(kind | coord_bits);
-}
-
 struct CoreHeader {
   int coord_bits = 0;           ///< n of the grid
   int levels = 0;               ///< records on a path from the root to a leaf, the root's own counted

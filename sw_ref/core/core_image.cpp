@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "hls/machines/block_kind.hpp"
 #include "sw_ref/scene/triangle_numbers.hpp"
 
 namespace hitpipe::ref {
@@ -34,6 +35,12 @@ std::uint64_t get(const CoreBlock& block, unsigned at, unsigned width) {
   std::uint64_t bits = block[at / 64] >> at % 64;
   if (at % 64 + width > 64) bits |= block[at / 64 + 1] << (64 - at % 64);
   return bits & ((std::uint64_t{1} << width) - 1);
+}
+void put_kind(CoreBlock& block, hls::BlockKind kind, int coord_bits) {
+  put(block, kind_at, kind_bits, static_cast<std::uint64_t>(hls::kind_byte(kind, coord_bits)));
+}
+int kind_of(const CoreBlock& block) {
+  return static_cast<int>(get(block, kind_at, kind_bits));
 }
 void put_coordinate(CoreBlock& block, unsigned place, std::int32_t x) {
   put(block, place * plane_bits, plane_bits, static_cast<std::uint32_t>(x));
@@ -170,7 +177,7 @@ class ImageReader {
 
   CoreImage checked() {
     image_.header = header_of(image_.blocks);
-    take(0, 0, core_record);
+    take(0, 0, hls::record_block);
     const CoreRecord root = record_of(image_.blocks[0]);
     if (root.counts[1] != PairChild::none) fail(0, "the root's own record has a second child");
     follow(root, 0, root.boxes.planes, 0);
@@ -193,12 +200,12 @@ class ImageReader {
       throw std::runtime_error(
           fmt::format("the image has {} {}, but its header says {}", counted, what, said));
   }
-  void take(std::uint64_t block, std::uint32_t from, CoreBlockKind kind) {
+  void take(std::uint64_t block, std::uint32_t from, hls::BlockKind kind) {
     if (block >= seen_.size()) fail(from, "a child lies outside the image");
     const auto place = static_cast<std::ptrdiff_t>(block);
     if (seen_[block]) fail(place, "two records lead to it, or a loop");
-    if (get(image_.blocks[block], kind_at, kind_bits) != kind_byte(kind, image_.header.coord_bits))
-      fail(place, fmt::format("it is no {} of this grid", kind == core_record ? "record" : "triangle"));
+    if (kind_of(image_.blocks[block]) != hls::kind_byte(kind, image_.header.coord_bits))
+      fail(place, fmt::format("it is no {} of this grid", kind == hls::record_block ? "record" : "triangle"));
     seen_[block] = true;
   }
 
@@ -214,7 +221,7 @@ class ImageReader {
       if (!holds(common, boxes[which])) fail(block, "a child's box is not inside its parent's");
       const std::uint32_t taken = count == PairChild::branch ? 1 : static_cast<std::uint32_t>(count);
       for (std::uint32_t i = 0; i < taken; ++i) {
-        take(at + i, block, count == PairChild::branch ? core_record : core_triangle);
+        take(at + i, block, count == PairChild::branch ? hls::record_block : hls::triangle_block);
         if (count != PairChild::branch) check_triangle(static_cast<std::uint32_t>(at + i), boxes[which]);
       }
       if (count == PairChild::branch) {
@@ -247,7 +254,7 @@ PairChild CoreRecord::child(unsigned which) const {
 
 CoreBlock to_block(const CoreRecord& record, int coord_bits) {
   CoreBlock block{};
-  put(block, kind_at, kind_bits, kind_byte(core_record, coord_bits));
+  put_kind(block, hls::record_block, coord_bits);
   for (unsigned axis = 0; axis < 3; ++axis) {
     put_coordinate(block, axis, record.boxes.planes.min[axis]);
     put_coordinate(block, axis + 3, record.boxes.planes.max[axis]);
@@ -283,7 +290,7 @@ CoreRecord record_of(const CoreBlock& block) {
 
 CoreBlock to_block(const CoreTriangle& triangle, int coord_bits) {
   CoreBlock block{};
-  put(block, kind_at, kind_bits, kind_byte(core_triangle, coord_bits));
+  put_kind(block, hls::triangle_block, coord_bits);
   for (unsigned corner = 0; corner < 3; ++corner)
     for (unsigned axis = 0; axis < 3; ++axis)
       put_coordinate(block, 3 * corner + axis, triangle.triangle.corners[corner][axis]);

@@ -27,11 +27,13 @@ static char letter_of(const struct core_hit* hit, const float direction[3]) {
   return letters[letter < 0 ? 0 : letter > 8 ? 8 : letter];
 }
 
-bool draw_picture(uint64_t image, uint32_t blocks) {
+bool draw_picture(uint64_t address, const uint8_t* bytes, uint64_t size) {
   static char picture[pixels];
   static uint8_t answers[pixels];
   int sent = 0, taken = 0, hits = 0, failed = 0;
-  const char* const refused = core_start(image, blocks);
+  struct core_image image;
+  const char* refused = core_read_image(&image, bytes, size);
+  if (!refused) refused = core_start(address, &image);
   if (refused) {
     printf("%s\n", refused);
     return false;
@@ -51,7 +53,7 @@ bool draw_picture(uint64_t image, uint32_t blocks) {
       ++taken;
       if (pixel >= pixels) return false;
       ++answers[pixel];
-      failed += hit.failed != 0;
+      if (hit.failed && failed++ == 0) printf("pixel %u: %s\n", (unsigned)pixel, core_why(&hit));
       picture[pixel] = ' ';
       if (hit.failed || hit.number == CORE_NO_HIT) continue;
       ++hits;

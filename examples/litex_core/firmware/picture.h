@@ -4,7 +4,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Traces and prints it. false: there is no core, or its answers or counters are wrong. */
-bool draw_picture(uint64_t image, uint32_t blocks);
+/* Traces and prints it. The image is at this address for the core, and at `bytes` for the processor. false: the core
+   cannot start, or its answers or counters are wrong. */
+bool draw_picture(uint64_t address, const uint8_t* bytes, uint64_t size);
 
 #endif

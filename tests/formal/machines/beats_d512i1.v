@@ -5,8 +5,11 @@
 
   wire half = kept[2];
   reg [255:0] own;
+  reg error;
   always @(posedge clk) begin
     own <= half ? {beat_7, beat_6, beat_5, beat_4} : {beat_3, beat_2, beat_1, beat_0};
+    error <= beat_error;
+    if (was_reset & ~rst) assert (!read_valid || read_error == error);
     if (was_reset & ~rst) assert (!read_valid || {read_word_3, read_word_2, read_word_1, read_word_0} == own);
   end
 

@@ -69,7 +69,7 @@
   // What was said in the last cycle is passed on.
   reg done_before, leaf_before, ended_before;
   reg [4:0] of_before;
-  reg [2:0] said_before;
+  reg [5:0] said_before;
   reg closer_one, leaf_of_one;
   always @(posedge clk) begin
     {done_before, leaf_before, ended_before} <= {done & ~rst, leaf_done & ~rst, ended & ~rst};

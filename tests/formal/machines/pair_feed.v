@@ -39,11 +39,13 @@
   wire [255:0] whole = {read_word_3, read_word_2, read_word_1, read_word_0};
   reg came, came_ray;
   reg [255:0] record;
+  reg error;
   reg [66:0] then_words;
   always @(posedge clk) begin
     came <= ~rst & comes;
     came_ray <= read_id[0];
     record <= whole;
+    error <= read_error;
     then_words <= {our_m, our_a, our_b, our_rest, our_interval};
   end
 
@@ -62,6 +64,9 @@
       assert ({zmax, ymax, xmax} == {record[127:120], record[103:96], record[79:72]});
       assert ({own_zmax, own_ymax, own_xmax, own_zmin, own_ymin, own_xmin} == record[149:144]);
       assert ({count_1, count_0, block} == {record[207:192], record[163:160]});
+      // It is a record of this grid, and no pointer of it is too large for a block's number; else its ray is lost.
+      assert (flaw[0] == (error || record[255:248] != 8'h48));
+      assert (flaw[1] == (flaw[0] || record[191:164] != 28'd0));
       if (test_ray == our)
         assert ({origin_m, origin_a, origin_b, major_y, major_z, back_m, back_a, back_b, floor_a, ceil_a, exp_a,
                  floor_b, ceil_b, exp_b, parent_near, parent_far} == then_words);

@@ -18,6 +18,7 @@
   always @* begin
     if (goes) assume (walking[walk_ray] && triangles != 8'd0);
     if (tested) assume (testing[tester]);
+    if (reads) assume (testing[read_ray]);
     if (divided) assume (comparing[divided_ray]);
     if (walking != 4'hf) assume (last == last_before);
   end
@@ -55,8 +56,21 @@
     assert (!goes_there || (goes_used != 3'd0 && go_words_word == go_words[goes_oldest]));
     assert (!missed_there || (missed_used != 3'd0 && missed_rays_word == missed_rays[missed_oldest]));
     assert (!divided_there || (divided_used != 3'd0 && divided_rays_word == divided_rays[divided_oldest]));
-    cover (leaf_lost && triangle && !stops_1);
+    cover (leaf_lost == 2'd2 && triangle && !stops_1);
+    cover (leaf_lost == 2'd3);
     cover (goes_used == 3'd4);
+  end
+
+  // What was no triangle is known before its test has ended.
+  reg [3:0] seen, bad;
+  always @(posedge clk) begin
+    if (asks & granted & triangle) seen[asker] <= 1'b0;
+    if (reads) seen[read_ray] <= 1'b1;
+    if (reads) bad[read_ray] <= unread;
+  end
+  always @* begin
+    if (tested) assume (seen[tester] && !(reads && read_ray == tester));
+    if (reads) assume (!seen[read_ray] && !(tested && tester == read_ray));
   end
 
   // Any ray, and what it wants next: a record, or the first of the triangles that are left, or nothing since a hit.
@@ -92,16 +106,23 @@
     assert (!writes || writer != one || in_leaf);
     assert (!stops_here || in_divided[one] || in_stage[one] || walking[one]);
     assert (!in_stage[one] || stops_1 == stops_here);
+    if (in_missed[one] | in_divided[one] | in_stage[one] | comparing[one]) assert (seen[one]);
+    if (in_leaf && seen[one]) assert (flaws[one] == bad[one]);
+    assert (!in_stage[one] || flaws_word == flaws[one]);
     assert (!in_stage[one] || !settled_1 || leaves_word == leaves[one]);
     // A block that is asked for is the next one, and in the image. So triangles come in turn, each once.
     if (asks && asker == one) begin
       assert (triangle == !is_record && asked_block == next_block && asked_block <= last);
       assert (left != 8'd0 && !stops_here);
+      assert (in_goes[one] || !bad[one]);
     end
-    // A ray is done when no triangle is left, when its hit said so, or when the next block is not in the image.
+    // A ray is done when no triangle is left, when its hit said so, when the next block is not in the image, or when
+    // what was tested was no triangle.
     if (leaf_done && leaf_ray == one) begin
-      assert (leaf_stops == (leaf_lost | stops_here));
+      assert (leaf_lost == 2'd0 || leaf_lost == 2'd2 || leaf_lost == 2'd3);
+      assert (leaf_stops == (leaf_lost != 2'd0 | stops_here));
       assert (leaf_stops || left == 8'd0);
-      assert (!leaf_lost || (next_block > last && left != 8'd0 && !stops_here));
+      assert ((leaf_lost == 2'd3) == (!in_goes[one] && bad[one]));
+      assert (leaf_lost != 2'd2 || (next_block > last && left != 8'd0 && !stops_here));
     end
   end

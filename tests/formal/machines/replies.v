@@ -23,7 +23,7 @@
     if (answers) assume (flying[answered] && !answered_rays[answered]);
   end
 
-  wire [0:0] first_ray = waiting[0][37:37], second_ray = waiting[1][37:37];
+  wire [0:0] first_ray = waiting[0][39:39], second_ray = waiting[1][39:39];
   wire first_is_used = used == 2'd2 | (used == 2'd1 & oldest == 1'b0);
   wire second_is_used = used == 2'd2 | (used == 2'd1 & oldest == 1'b1);
   wire [1:0] in_first = first_is_used ? 2'd1 << first_ray : 2'd0;
@@ -43,14 +43,14 @@
     assert (!flying[1] || tags[1] == {error_of[1], tag_of[1]});
     // An answer has its ray's tag, and has failed if this was no ray.
     assert (!hit_valid || hit_tag == tag_of[ray_1]);
-    assert (!hit_valid || hit_failed == (hit_failed_1 | error_of[ray_1]));
+    assert (!hit_valid || hit_failed == (error_of[ray_1] ? 3'd1 : hit_failed_1));
     cover (hit_valid && used == 2'd1);
     cover (answered_rays == 2'd3);
   end
 
   // What is given does not change until it is taken.
   reg held;
-  reg [37:0] last_given;
+  reg [39:0] last_given;
   always @(posedge clk) begin
     held <= ~rst & hit_valid & ~hit_ready;
     last_given <= {hit_tag, hit_t, hit_number, hit_failed};

@@ -3,7 +3,7 @@
   reg [11:0] kept;
   wire enters = asks & granted;
   wire leaves = request_valid & request_ready;
-  wire [5:0] request = {triangle, asker, base + asked_block};
+  wire [5:0] request = {triangle, asker, {base, 1'b0} + asked_block};
   wire [1:0] rest = waiting - {1'b0, leaves};
   wire [11:0] shifted = leaves ? kept >> 6 : kept;
   always @(posedge clk) begin

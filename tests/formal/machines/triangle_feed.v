@@ -39,6 +39,7 @@
   wire [145:0] shifted = leaves ? kept >> 73 : kept;
   reg came, came_ray;
   reg [31:0] came_number;
+  reg came_unread;
   always @(posedge clk) begin
     if (rst) waiting <= 2'd0;
     else waiting <= rest + {1'b0, comes};
@@ -46,6 +47,7 @@
     came <= ~rst & comes;
     came_ray <= read_id[0];
     came_number <= whole[247:216];
+    came_unread <= read_error || whole[255:248] != 8'h68;
   end
 
   // A place of the queue, as a triangle with its ray.
@@ -89,8 +91,8 @@
     assert (!refused || (begins && given == given_before));
     // With a triangle there, a test is there in two cycles.
     assert (idle <= 2'd2);
-    // The number of a triangle is said in the next cycle.
-    assert (reads == came && (!reads || {read_ray, number} == {came_ray, came_number}));
+    // The number of a triangle is said in the next cycle, and whether it was one.
+    assert (reads == came && (!reads || {read_ray, number, unread} == {came_ray, came_number, came_unread}));
     cover (waiting == 2'd2 && leaves);
     cover (begins && came && test_ray != came_ray);
   end

@@ -23,7 +23,9 @@
     if (begins) assume (wants[test_ray]);
     if (tested) assume (knows[tester] || (begins && test_ray == tester));
     if (returns) assume (at_leaf[return_ray] || (wants[return_ray] && return_stops && !(begins && test_ray == return_ray)));
-    if (returns & return_lost) assume (return_stops);
+    if (returns & return_lost != 2'd0) assume (return_stops);
+    // A record or a leaf loses its ray or not, by what is outside or by what could not be read.
+    assume (flaw != 2'd1 && return_lost != 2'd1);
     if (nowhere != 2'd3) assume (most_steps == most_before);
   end
 
@@ -34,12 +36,12 @@
   function [1:0] second_of(input [1:0] used, input oldest, input ray);
     second_of = used == 2'd2 | (used == 2'd1 & oldest == 1'b1) ? 2'd1 << ray : 2'd0;
   endfunction
-  wire [6:0] leaf_words_0 = leaf_rays[0], leaf_words_1 = leaf_rays[1];
+  wire [7:0] leaf_words_0 = leaf_rays[0], leaf_words_1 = leaf_rays[1];
   wire [5:0] other_words_0 = other_rays[0], other_words_1 = other_rays[1];
   wire [1:0] pairs_0 = first_of(pairs_used, pairs_oldest, pair_rays[0]);
   wire [1:0] pairs_1 = second_of(pairs_used, pairs_oldest, pair_rays[1]);
-  wire [1:0] leaves_0 = first_of(leaves_used, leaves_oldest, leaf_words_0[6]);
-  wire [1:0] leaves_1 = second_of(leaves_used, leaves_oldest, leaf_words_1[6]);
+  wire [1:0] leaves_0 = first_of(leaves_used, leaves_oldest, leaf_words_0[7]);
+  wire [1:0] leaves_1 = second_of(leaves_used, leaves_oldest, leaf_words_1[7]);
   wire [1:0] others_0 = first_of(others_used, others_oldest, other_words_0[5]);
   wire [1:0] others_1 = second_of(others_used, others_oldest, other_words_1[5]);
   wire [1:0] in_1 = pair_1 | leaf_1 | fresh_1 | again_1 ? 2'd1 << ray_1 : 2'd0;
@@ -69,7 +71,8 @@
   (* anyconst *) reg our;
   localparam [2:0] NONE = 3'd0, FRESH = 3'd1, PAIR = 3'd2, LEAF = 3'd3, AGAIN = 3'd4;
   reg [2:0] came;
-  reg came_stops, came_lost;
+  reg came_stops;
+  reg [1:0] came_lost, record_flaw;
   reg [3:0] came_cut;
   reg [11:0] child_of_0, child_of_1;
   reg nearer_1, met_0, met_1;
@@ -103,7 +106,8 @@
   wire [3:0] waiting = ~settled & ~(level_bit - 4'd1);
   wire [3:0] deepest = waiting & -waiting;
   wire [2:0] deepest_at = deepest[3] ? 3'd3 : deepest[2] ? 3'd2 : deepest[1] ? 3'd1 : 3'd0;
-  wire stops_now = (came == LEAF & came_stops) | (up & waiting == 4'd0);
+  wire [1:0] lost_now = came == LEAF ? came_lost : came == PAIR ? record_flaw : 2'd0;
+  wire stops_now = (came == LEAF & came_stops) | lost_now != 2'd0 | (up & waiting == 4'd0);
   wire from_kept = up & kept != 2'd0, from_top = came == FRESH | (up & kept == 2'd0);
   wire [3:0] cut_then = came == LEAF | came == FRESH ? came_cut : shortest;
   wire too_far = from_kept & last_entry[7:4] > cut_then;
@@ -111,11 +115,13 @@
   wire to_record = target[15:8] == 8'hff & ~too_far;
   wire [2:0] from_level = up ? deepest_at : at;
   wire [19:0] tests_then = came == FRESH ? 20'd0 : tests;
-  wire fails_now = to_record & ((~from_top & from_level == 3'd0) | tests_then == most_steps);
+  wire below_all = ~from_top & from_level == 3'd0;
+  wire fails_now = to_record & (below_all | tests_then == most_steps);
   wire [3:0] trail_then = came == FRESH ? 4'd0 : up ? (settled & ~(deepest - level_bit)) | deepest : settled;
   wire on = ~stops_now & ~fails_now;
 
-  reg says_ended, says_failed, says_again, began;
+  reg says_ended, says_again, began;
+  reg [2:0] says_failed;
   reg [19:0] says;
   reg [24:0] measure, measure_before;
   reg [3:0] left_waiting;
@@ -131,7 +137,9 @@
     if (starts & walker_takes & start_ray == our) came_cut <= start_cut;
     if (begins & test_ray == our) begin
       child_of_0 <= {block, count_0};
-      child_of_1 <= {block + (count_0 == 8'hff ? 4'd1 : count_0[3:0]), count_1};
+      child_of_1 <= {second_place[3:0], count_1};
+      // Behind the last number of a block there is none.
+      record_flaw <= flaw | {second_place > 12'd15 & count_1 != 8'd0, 1'b0};
     end
     if (tested & tester == our) begin
       {nearer_1, met_0, met_1} <= {second_first, hit_0, hit_1};
@@ -157,12 +165,14 @@
       else put_off <= left_waiting_now & ~deepest;
       left_waiting <= left_waiting_now;
       {says_ended, says_again} <= {~on, on & too_far};
-      says_failed <= (fails_now & ~stops_now) | (came == LEAF & came_lost);
+      says_failed <= lost_now == 2'd2 ? 3'd4 : lost_now == 2'd3 ? 3'd5
+                     : stops_now | ~fails_now ? 3'd0 : below_all ? 3'd3 : 3'd2;
       says <= {target[19:4], target[3:0] < cut_then ? target[3:0] : cut_then};
       began <= came == FRESH;
       measure_before <= measure_now;
     end
   end
+  wire [11:0] second_place = block + (count_0 == 8'hff ? 12'd1 : {4'd0, count_0});
   wire [3:0] left_waiting_now = put_off & ~(level_bit - 4'd1) & ~(came == PAIR ? level_bit : 4'd0);
   wire [24:0] measure_now = {trail, tests, ~at_record};
 
@@ -180,8 +190,8 @@
   always @(posedge clk) if (was_reset & ~rst) begin
     assert (came <= AGAIN && (came != NONE) == (inside | (in_3[our] & again_3)));
     assert (!(pairs_0[our] | pairs_1[our]) || came == PAIR);
-    assert (!leaves_0[our] || (came == LEAF && leaf_words_0[5:0] == {came_lost, came_stops, came_cut}));
-    assert (!leaves_1[our] || (came == LEAF && leaf_words_1[5:0] == {came_lost, came_stops, came_cut}));
+    assert (!leaves_0[our] || (came == LEAF && leaf_words_0[6:0] == {came_lost, came_stops, came_cut}));
+    assert (!leaves_1[our] || (came == LEAF && leaf_words_1[6:0] == {came_lost, came_stops, came_cut}));
     assert (!others_0[our] || (came == FRESH && other_words_0[4:0] == {1'b0, came_cut}) ||
             (came == AGAIN && other_words_0[4]));
     assert (!others_1[our] || (came == FRESH && other_words_1[4:0] == {1'b0, came_cut}) ||
@@ -189,14 +199,15 @@
     assert (!(wants[our] | knows[our] | (inside & came == PAIR)) || at_record);
     assert (!(at_leaf[our] | came == AGAIN) || !at_record);
     if (inside & came == LEAF) assert (!at_record || came_stops);
-    if (came == LEAF) assert (!came_lost || came_stops);
+    if (came == LEAF) assert (came_lost != 2'd1 && (came_lost == 2'd0 || came_stops));
+    if (knows[our] | (inside & came == PAIR)) assert (record_flaw != 2'd1);
     // The words in the machine's memories.
     if (on_walk) begin
       assert ({walk[32:21], walk[19:0]} == {trail, at, went_on, kept, tests} && cuts[our] == shortest);
       assert (kept == 2'd0 || (top ? place_0 : place_1) == last_entry);
       if (!(in_2[our] & puts_off)) assert (kept != 2'd2 || (top ? place_1 : place_0) == entry_before);
     end
-    if (knows[our] | (inside & came == PAIR)) assert (children[our] == {child_of_1, child_of_0});
+    if (knows[our] | (inside & came == PAIR)) assert (children[our] == {record_flaw, child_of_1, child_of_0});
     if (inside & came == PAIR) begin
       assert (boxes_0[our] == {nearer_1, met_0, range_0} && boxes_1[our] == {met_1, range_1});
     end
@@ -209,7 +220,7 @@
     end
     if (in_2[our]) begin
       assert ({begins_2, descends_2, pops_2, ends_2} == {came == FRESH, down, up, stops_now});
-      assert (lost_2 == (came == LEAF & came_lost) && cut_2 == cut_then && steps_2 == tests_then);
+      assert (lost_2 == lost_now && cut_2 == cut_then && steps_2 == tests_then);
       assert (!down || entry_2 == followed);
       assert (resumed_2 == (came == FRESH ? 3'd4 : went_on));
       if (came == FRESH) assert (trail_2 == 4'd0 && used_2 == 2'd0);
@@ -242,7 +253,7 @@
     end
     if (in_2[our] & from_kept & ~stops_now) assert (deepest_at == last_level);
     // A walk that has not failed and was not stopped ends when no child waits.
-    if (in_3[our] & ended_3 & ~failed) assert (came_stops_before || left_waiting == 4'd0);
+    if (in_3[our] & ended_3 & failed == 3'd0) assert (came_stops_before || left_waiting == 4'd0);
   end
   reg came_stops_before;
   always @(posedge clk) if (goes_on) came_stops_before <= came == LEAF & came_stops;

@@ -2,7 +2,7 @@
   wire taken = reply_valid & reply_ready;
   wire leaves = hit_valid & hit_ready;
   reg took, here;
-  reg [37:0] answer_words;
+  reg [39:0] answer_words;
   (* anyseq *) reg owner;
   reg took_ray;
   always @(posedge clk) begin

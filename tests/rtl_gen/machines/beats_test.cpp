@@ -20,6 +20,7 @@ struct Read {
   Word id;
   bool upper;
   std::array<Word, 4> words;
+  bool error = false;
 };
 
 class Bus {
@@ -52,12 +53,14 @@ class Bus {
     for (std::size_t i = 0; i < 4; ++i) {
       ASSERT_EQ(machine_.out[fmt::format("read_word_{}", i)], whole_->words[i]) << "block " << blocks_;
     }
+    ASSERT_EQ(machine_.out["read_error"] != 0, whole_->error) << "block " << blocks_;
     whole_.reset();
     ++blocks_;
   }
   void show_beat() {
     const Read& read = waiting_.front();
     const int words = bits_.words();
+    machine_.in["beat_error"] = random_.below(16) == 0;
     for (int i = 0; i < words; ++i) {
       const int at = words == 8 ? i - (read.upper ? 4 : 0) : beat_ * words + i;
       if (at >= 0 && at < 4)
@@ -65,6 +68,7 @@ class Bus {
     }
   }
   void take_beat() {
+    waiting_.front().error = waiting_.front().error || machine_.in["beat_error"] != 0;
     if (++beat_ < bits_.beats()) return;
     beat_ = 0;
     whole_ = waiting_.front();

@@ -1,6 +1,7 @@
 // The registers of a core, as a host writes and reads them by AXI4-Lite.
 #include "hls/machines/registers.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -82,22 +83,22 @@ class CoreRegisters : public testing::Test {
 
 TEST_F(CoreRegisters, KeepWhatIsWritten) {
   EXPECT_EQ(read(0x00), 0x48697470U);
-  EXPECT_EQ(read(0x04), 1U);
+  EXPECT_EQ(read(0x04), 2U);
   EXPECT_EQ(read(0x1c), 0xfffffU) << "as many steps as a ray can count";
   EXPECT_EQ(read(0x20), 0U) << "no ray begins";
   for (const Order order : {Order::together, Order::address_first, Order::word_first}) {
-    const Word change = order == Order::together ? 0U : order == Order::address_first ? 0x10U : 0x20U;
+    const Word change = order == Order::together ? 0U : order == Order::address_first ? 0x40U : 0x80U;
     write(0x10, 0x87654321U ^ change, order);
     write(0x14, 0xfedcba98U, order);
     write(0x18, 0x000bcdefU ^ change, order);
     write(0x1c, 0x00054321U ^ change, order);
     write(0x20, 0x00000055U, order);
-    EXPECT_EQ(read(0x10), (0x87654321U ^ change) & ~31U) << "a multiple of 32";
+    EXPECT_EQ(read(0x10), (0x87654321U ^ change) & ~63U) << "a multiple of 64";
     EXPECT_EQ(read(0x14), 0x98U) << "of 40 bits";
     EXPECT_EQ(read(0x18), (0xbcdefU ^ change)) << "of 20 bits";
     EXPECT_EQ(read(0x1c), 0x54321U ^ change);
     EXPECT_EQ(read(0x20), 0x55U) << "of 7 bits";
-    EXPECT_EQ(registers_.out["base"], (Word{0x9887654321U} ^ change) >> 5);
+    EXPECT_EQ(registers_.out["base"], (Word{0x9887654321U} ^ change) >> 6);
     EXPECT_EQ(registers_.out["last"], 0xbcdefU ^ change);
     EXPECT_EQ(registers_.out["most_steps"], 0x54321U ^ change);
     EXPECT_EQ(registers_.out["most_rays"], 0x55U);
@@ -112,7 +113,7 @@ TEST_F(CoreRegisters, TakeSingleBytesAndOnlyWhatTheyHave) {
   EXPECT_EQ(read(0x18), 0x17799U);
   write(0x00, 5);
   EXPECT_EQ(read(0x00), 0x48697470U);
-  for (const Word address : {0x08U, 0x0cU, 0x24U, 0x28U, 0x3cU, 0x80U, 0xfcU}) EXPECT_EQ(read(address), 0U);
+  for (const Word address : {0x0cU, 0x24U, 0x34U, 0x3cU, 0x80U, 0xfcU}) EXPECT_EQ(read(address), 0U);
   EXPECT_EQ(read(0x1b), 0x17799U) << "two low bits of an address are ignored";
 }
 
@@ -190,7 +191,11 @@ TEST_F(CoreRegisters, CountWhatHappens) {
   happens({"hit_ready"}, 0, 0, 3);
   happens({"hit_valid", "hit_ready"}, 7, 0, 11);
   happens({"hit_valid", "hit_ready"}, none, 0, 13);
-  happens({"hit_valid", "hit_ready", "hit_failed"}, 7, 0, 9);
+  for (const Word why : {1U, 2U, 4U}) {
+    registers_.in["hit_failed"] = why;
+    happens({"hit_valid", "hit_ready"}, 7, 0, 3);
+  }
+  registers_.in["hit_failed"] = 0;
   happens({"request_valid", "request_ready"}, 0, 5, 17);
   happens({"request_valid", "request_ready"}, 0, triangle | 5, 19);
   happens({"request_valid"}, 0, triangle, 23);
@@ -206,6 +211,129 @@ TEST_F(CoreRegisters, CountWhatHappens) {
   EXPECT_EQ(after - before, idle_after - idle_before + 17 + 19 + 23);
   write(0x24, 1);
   EXPECT_EQ(counter(hits), 0U);
+}
+
+TEST_F(CoreRegisters, SayWhatTheCoreIs) {
+  registers_.in["about_format"] = 0x0b141214;
+  registers_.in["about_shape"] = 0x183c0020;
+  registers_.in["about_ports"] = 0x02202010;
+  EXPECT_EQ(read(0x28), 0x0b141214U);
+  EXPECT_EQ(read(0x2c), 0x183c0020U);
+  EXPECT_EQ(read(0x30), 0x02202010U);
+  write(0x28, 0);
+  EXPECT_EQ(read(0x28), 0x0b141214U);
+}
+
+TEST_F(CoreRegisters, KeepWhatWentWrong) {
+  constexpr Word idle = 1;
+  EXPECT_EQ(read(0x08), idle);
+  const auto answer = [&](Word why) {
+    registers_.in["ray_valid"] = registers_.in["ray_ready"] = 1;
+    cycle();
+    registers_.in["ray_valid"] = 0;
+    registers_.in["hit_valid"] = registers_.in["hit_ready"] = 1;
+    registers_.in["hit_failed"] = why;
+    cycle();
+    registers_.in["hit_valid"] = registers_.in["hit_failed"] = 0;
+  };
+  answer(0);
+  EXPECT_EQ(read(0x08), idle);
+  Word seen = idle;
+  for (Word why = 1; why <= 5; ++why) {
+    answer(why);
+    seen |= Word{1} << (8 + why);
+    EXPECT_EQ(read(0x08), seen);
+  }
+  registers_.in["read_error"] = 1;
+  cycle();
+  EXPECT_EQ(read(0x08), seen) << "no block comes";
+  registers_.in["request_valid"] = registers_.in["request_ready"] = 1;
+  cycle();
+  registers_.in["request_valid"] = 0;
+  registers_.in["read_valid"] = 1;
+  cycle();
+  registers_.in["read_valid"] = registers_.in["read_error"] = 0;
+  EXPECT_EQ(read(0x08), seen |= 1U << 14);
+  write(0x10, 0x12345600);
+  write(0x10, 0x123456ff, Order::together, 2);
+  write(0x18, 0x3f);
+  EXPECT_EQ(read(0x08), seen);
+  write(0x10, 0x12345620);
+  EXPECT_EQ(read(0x08), seen |= 1U << 15);
+  write(0x08, 0x2000);
+  EXPECT_EQ(read(0x08), seen & ~Word{0x2000});
+  write(0x08, 0xffffffff, Order::together, 1);
+  EXPECT_EQ(read(0x08), seen & ~Word{0x2000}) << "bytes without a strobe stay";
+  write(0x08, 0xffffffff);
+  EXPECT_EQ(read(0x08), idle);
+}
+
+TEST_F(CoreRegisters, KnowWhetherARayIsThere) {
+  registers_.in["ray_valid"] = registers_.in["ray_ready"] = 1;
+  for (int i = 0; i < 70; ++i) cycle();
+  registers_.in["hit_valid"] = registers_.in["hit_ready"] = 1;
+  for (int i = 0; i < 100; ++i) cycle();  // one comes, and one leaves
+  registers_.in["ray_valid"] = 0;
+  for (int i = 0; i < 69; ++i) cycle();
+  registers_.in["hit_valid"] = 0;
+  EXPECT_EQ(read(0x08), 0U);
+  registers_.in["hit_valid"] = 1;
+  cycle();
+  registers_.in["hit_valid"] = 0;
+  EXPECT_EQ(read(0x08), 1U);
+}
+
+/// What is offered stays until it is taken, and what was asked for comes home. Nothing else passes.
+TEST_F(CoreRegisters, ResetTheCoreWhenReadsAreHome) {
+  const auto passes = [&] {
+    return std::array{registers_.out["lets_rays"], registers_.out["lets_requests"],
+                      registers_.out["lets_answers"], registers_.out["resets"]};
+  };
+  using Passes = std::array<Word, 4>;
+  write(0x20, 8);
+  registers_.in["ray_valid"] = registers_.in["ray_ready"] = 1;
+  for (int i = 0; i < 3; ++i) cycle();
+  registers_.in["ray_valid"] = 0;
+  registers_.in["request_valid"] = registers_.in["request_ready"] = 1;
+  for (int i = 0; i < 2; ++i) cycle();
+  registers_.in["request_ready"] = 0;  // a third one is offered, and an answer
+  registers_.in["hit_valid"] = 1;
+  write(0x0c, 0xfffffffe);
+  EXPECT_EQ(passes(), (Passes{1, 1, 1, 0}));
+  write(0x0c, 1);
+  EXPECT_EQ(passes(), (Passes{0, 1, 1, 0}));
+  EXPECT_EQ(read(0x08), 2U) << "not idle, but resetting";
+  EXPECT_EQ(read(0x20), 0U) << "no ray begins until software says so";
+  write(0x20, 8);
+  EXPECT_EQ(read(0x20), 0U);
+  for (int i = 0; i < 5; ++i) cycle();
+  EXPECT_EQ(passes(), (Passes{0, 1, 1, 0}));
+  registers_.in["hit_ready"] = 1;
+  cycle();
+  EXPECT_EQ(passes(), (Passes{0, 1, 0, 0}));
+  registers_.in["hit_ready"] = registers_.in["hit_valid"] = 0;
+  registers_.in["request_ready"] = 1;
+  cycle();
+  EXPECT_EQ(passes(), (Passes{0, 0, 0, 0}));
+  registers_.in["request_valid"] = registers_.in["request_ready"] = 0;
+  for (int block = 0; block < 3; ++block) {
+    for (int i = 0; i < 5; ++i) cycle();
+    EXPECT_EQ(passes(), (Passes{0, 0, 0, 0})) << block;
+    registers_.in["read_valid"] = 1;
+    cycle();
+    registers_.in["read_valid"] = 0;
+  }
+  EXPECT_EQ(passes(), (Passes{0, 0, 0, 0}));
+  cycle();
+  EXPECT_EQ(passes(), (Passes{0, 0, 0, 1})) << "the core is reset";
+  cycle();
+  EXPECT_EQ(passes(), (Passes{1, 1, 1, 0}));
+  EXPECT_EQ(read(0x08), 1U) << "idle: its rays are gone";
+  write(0x20, 8);
+  EXPECT_EQ(registers_.out["most_rays"], 8U);
+  write(0x0c, 1);
+  EXPECT_EQ(read(0x20), 0U) << "nothing was on its way";
+  EXPECT_EQ(passes(), (Passes{1, 1, 1, 0}));
 }
 
 }  // namespace

@@ -99,9 +99,9 @@ class Rays {
   void answer() {
     const Word ray = any_of(begun_);
     machine_.in["answered"] = ray;
-    waiting_.push_back({ray, tags_[static_cast<std::size_t>(ray)], machine_.in["answer_t"],
-                        machine_.in["answer_number"],
-                        machine_.in["answer_failed"] | errors_[static_cast<std::size_t>(ray)], cycle_});
+    waiting_.push_back(
+        {ray, tags_[static_cast<std::size_t>(ray)], machine_.in["answer_t"], machine_.in["answer_number"],
+         errors_[static_cast<std::size_t>(ray)] != 0 ? 1 : machine_.in["answer_failed"], cycle_});
   }
 
   NamedMachine machine_;

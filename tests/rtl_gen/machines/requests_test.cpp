@@ -18,7 +18,7 @@ struct Request {
 class Asker {
  public:
   Asker(const hls::RequestBits& bits, unsigned seed)
-      : bits_(bits), machine_("requests", bits), random_(seed), base_(random_.value(bits.bytes - 5)) {}
+      : bits_(bits), machine_("requests", bits), random_(seed), base_(random_.value(bits.bytes - 6)) {}
 
   /// One cycle, in which the reader asks and memory takes with these shares of 8.
   void cycle(int asks, int takes) {
@@ -48,7 +48,7 @@ class Asker {
  private:
   /// Addresses wrap, as those of an image that ends at the last address.
   [[nodiscard]] Request asked() const {
-    const Word block = (base_ + machine_.in["asked_block"]) & ones_below(bits_.bytes - 5);
+    const Word block = (2 * base_ + machine_.in["asked_block"]) & ones_below(bits_.bytes - 5);
     return {block * 32, machine_.in["triangle"] << bits_.ray | machine_.in["asker"]};
   }
 

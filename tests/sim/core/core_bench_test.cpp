@@ -3,6 +3,7 @@
 // images end too.
 #include "sim/core/core_bench.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -55,7 +56,7 @@ const rtl::Library& library() {
   static const rtl::Library own = rtl::library_called(rtl::default_library);
   return own;
 }
-constexpr CoreBenchOptions far_image{.base = 0x3'0000'0007, .held_percent = 30};
+constexpr CoreBenchOptions far_image{.base = 0x1'8000'0003, .held_percent = 30};
 
 /// The core in software and in Verilog. All outputs are compared in every cycle.
 class BothCores final : public rtl::NativeMachine {
@@ -229,8 +230,8 @@ TEST(CoreWithFloats, AnswersAsWithIntegers) {
   for (std::size_t i = 0; i < answers.size(); ++i) {
     ASSERT_EQ(mixed[2 * i].hit.triangle, answers[i].hit.triangle) << "ray " << i;
     ASSERT_EQ(mixed[2 * i].hit.t, answers[i].hit.t) << "ray " << i;
-    ASSERT_FALSE(mixed[2 * i].failed) << "ray " << i;
-    ASSERT_TRUE(mixed[2 * i + 1].failed) << "behind ray " << i;
+    ASSERT_EQ(mixed[2 * i].failed, hls::not_failed) << "ray " << i;
+    ASSERT_EQ(mixed[2 * i + 1].failed, hls::no_ray) << "behind ray " << i;
   }
   EXPECT_EQ(both.first_difference, "");
 }
@@ -298,37 +299,143 @@ TEST(CoreBench, SaysThatACoreStandsStill) {
             "the core stands still: 22085 cycles without a request or an answer");
 }
 
-CoreCounts counts_of(const ref::CoreImage& image, std::uint32_t most_steps) {
-  const rtl::Core core = rtl::make_core(options_of(8, 3), library());
-  NativeCore native(core);
-  CoreBench bench(core, native, image, {.least_latency = 1, .most_latency = 20}, {.most_steps = most_steps});
-  const Picture picture(8, 4);
-  std::vector<CoreAnswer> answers(picture.rays.jobs.size());
-  bench.run(picture.rays.jobs, answers);
-  EXPECT_EQ(bench.memory_counts().outside, 0U);
-  return bench.counts();
+/// Answers of a core of 8 rays, for the rays of a picture.
+struct Answered {
+  Picture picture{8, 12};
+  std::vector<CoreAnswer> answers;
+  CoreCounts counts;
+
+  explicit Answered(const ref::CoreImage& image,
+                    const MemoryOptions& memory = {.least_latency = 1, .most_latency = 20},
+                    std::uint32_t most_steps = 100, const rtl::CoreOptions& options = options_of(8, 3))
+      : answers(picture.rays.jobs.size()) {
+    const rtl::Core core = rtl::make_core(options, library());
+    NativeCore native(core);
+    CoreBench bench(core, native, image, memory, {.most_steps = most_steps});
+    bench.run(picture.rays.jobs, answers);
+    EXPECT_EQ(bench.memory_counts().outside, 0U);
+    counts = bench.counts();
+  }
+  [[nodiscard]] std::size_t failed(hls::Failure why) const {
+    return static_cast<std::size_t>(std::count_if(
+        answers.begin(), answers.end(), [&](const CoreAnswer& answer) { return answer.failed == why; }));
+  }
+  /// Not failed, but not software's.
+  [[nodiscard]] std::size_t wrong() const {
+    return picture.rays.wrong(answers) - (answers.size() - failed(hls::not_failed));
+  }
+};
+
+class CoreWithADamagedImage : public testing::Test {
+ protected:
+  const Picture picture_{8, 4};
+  ref::CoreImage image_ = picture_.image;
+  const ref::CoreRecord root_ = ref::record_of(image_.blocks[0]);
+  const ref::CoreRecord first_ = ref::record_of(image_.blocks[root_.pointer]);
+  const int grid_ = bits.coord;
+};
+
+TEST_F(CoreWithADamagedImage, FailsRaysAtTheirSteps) {
+  ref::CoreRecord loop = root_;
+  loop.pointer = 0;
+  image_.blocks[0] = to_block(loop, grid_);
+  const Answered looped(image_, {.least_latency = 1, .most_latency = 20}, 20);
+  EXPECT_GT(looped.failed(hls::too_many_steps), 0U);
+  EXPECT_EQ(looped.failed(hls::not_failed) + looped.failed(hls::too_many_steps), looped.answers.size());
+  EXPECT_LE(looped.counts.records, 20 * looped.counts.rays);
 }
 
-TEST(CoreWithADamagedImage, AnswersEveryRay) {
-  const Picture picture(8, 4);
-  ref::CoreImage image = picture.image;
-  // The root leads to itself.
-  ref::CoreRecord first = ref::record_of(image.blocks[0]);
-  ref::CoreRecord loop = first;
+TEST_F(CoreWithADamagedImage, FailsRaysAtTheLastLevel) {
+  ref::CoreRecord loop = root_;
   loop.pointer = 0;
-  image.blocks[0] = to_block(loop, 8);
-  const CoreCounts looped = counts_of(image, 100);
-  EXPECT_GT(looped.failed, 0U);
-  EXPECT_LE(looped.records, 100 * looped.rays);
-  // Children behind the image's end, and on it.
-  for (const std::uint32_t place : {0U, 1U, 1'000'000U}) {
-    ref::CoreRecord away = ref::record_of(image.blocks[first.pointer]);
-    away.pointer = static_cast<std::uint32_t>(image.blocks.size()) - 1 + place;
-    image.blocks[0] = to_block(first, 8);
-    image.blocks[first.pointer] = to_block(away, 8);
-    EXPECT_GT(counts_of(image, 100).failed, 0U) << place;
+  image_.blocks[0] = to_block(loop, grid_);
+  EXPECT_GT(Answered(image_).failed(hls::too_many_levels), 0U);
+}
+
+/// Children behind the image's end, and on it, and so far that a core with few bits of a block's number would take them
+/// for some in the image.
+TEST_F(CoreWithADamagedImage, FailsRaysThatAreLedOutOfIt) {
+  const auto end = static_cast<std::uint32_t>(image_.blocks.size());
+  for (const std::uint32_t place :
+       {end - 1, end, end + 1'000'000, 0xffff'ffffU, first_.pointer | 1U << 24, first_.pointer | 1U << 31}) {
+    ref::CoreRecord away = first_;
+    away.pointer = place;
+    image_.blocks[root_.pointer] = to_block(away, grid_);
+    const Answered led(image_);
+    EXPECT_GT(led.failed(hls::outside_image), 0U) << place;
+    EXPECT_EQ(led.wrong(), 0U) << place;
   }
 }
+
+/// A core whose image is as large as it can read: behind the last block comes the first.
+TEST(CoreWithAFullImage, FailsRaysThatAreLedRoundItsEnd) {
+  const Picture picture(8, 4);
+  rtl::CoreOptions options = options_of(8, 3);
+  options.address_bits = hls::count_bits(static_cast<int>(picture.image.blocks.size()));
+  ref::CoreImage image = picture.image;
+  image.blocks.resize(std::size_t{1} << options.address_bits);
+  const ref::CoreRecord root = ref::record_of(image.blocks[0]);
+  // Child 0 is the last block, and child 1 would be block 0, a right record.
+  ref::CoreRecord away = root;
+  away.pointer = static_cast<std::uint32_t>(image.blocks.size()) - 1;
+  away.counts = {ref::PairChild::branch, ref::PairChild::branch};
+  image.blocks.back() = to_block(ref::CoreRecord{.boxes = root.boxes, .pointer = 0}, bits.coord);
+  image.blocks[root.pointer] = to_block(away, bits.coord);
+  const Answered led(image, {.least_latency = 1, .most_latency = 20}, 100, options);
+  EXPECT_GT(led.failed(hls::outside_image), 0U);
+  EXPECT_EQ(led.failed(hls::outside_image) + led.failed(hls::not_failed), led.answers.size());
+}
+
+/// Zeros, as in a file that was half written.
+TEST_F(CoreWithADamagedImage, FailsRaysThatReadNothing) {
+  std::fill(image_.blocks.begin() + static_cast<std::ptrdiff_t>(image_.blocks.size() / 2),
+            image_.blocks.end(), ref::CoreBlock{});
+  const Answered half(image_);
+  EXPECT_GT(half.failed(hls::unread_block), 0U);
+  EXPECT_GT(half.failed(hls::not_failed), 0U);
+  EXPECT_EQ(half.wrong(), 0U);
+  image_.blocks.assign(image_.blocks.size(), {});
+  EXPECT_EQ(Answered(image_).failed(hls::unread_block), half.answers.size());
+}
+
+/// As a core of 12 bits reads it.
+TEST_F(CoreWithADamagedImage, FailsAllRaysInAnImageOfAnotherGrid) {
+  const ref::IntScene other = ref::int_scene(hills(), {13, 1, 12, 0, 0}, {.build = {.max_triangles = 2}});
+  const Answered answered(ref::core_image(other));
+  EXPECT_EQ(answered.failed(hls::unread_block), answered.answers.size());
+}
+
+/// A triangle where a record is wanted, and a record where a triangle is.
+TEST_F(CoreWithADamagedImage, FailsRaysThatReadAnotherKind) {
+  const auto last = image_.blocks.end() - (image_.blocks.back() == ref::CoreBlock{} ? 2 : 1);
+  const ref::CoreBlock triangle = *last;
+  *last = image_.blocks[0];
+  const Answered record(image_);
+  EXPECT_GT(record.failed(hls::unread_block), 0U);
+  EXPECT_EQ(record.wrong(), 0U);
+  image_.blocks[root_.pointer] = triangle;
+  // Rays that miss the root's box do not read it.
+  const Answered triangle_for_record(image_);
+  EXPECT_GT(triangle_for_record.failed(hls::unread_block), 100U);
+  EXPECT_EQ(triangle_for_record.wrong(), 0U);
+}
+
+class CoreWithErrors : public testing::TestWithParam<int> {};
+
+/// Every answer is right or has failed, with a triangle unit and with one multiplier.
+TEST_P(CoreWithErrors, OfMemoryGivesNoWrongAnswer) {
+  rtl::CoreOptions options = options_of(8, 3);
+  options.triangle_interval = GetParam();
+  const Picture picture(8, 12);
+  const Answered answered(picture.image, {.least_latency = 1, .most_latency = 20, .error_percent = 2},
+                          (1U << 20) - 1, options);
+  EXPECT_GT(answered.failed(hls::unread_block), 10U);
+  EXPECT_GT(answered.failed(hls::not_failed), 10U);
+  EXPECT_EQ(answered.failed(hls::unread_block) + answered.failed(hls::not_failed), answered.answers.size());
+  EXPECT_EQ(answered.wrong(), 0U);
+}
+INSTANTIATE_TEST_SUITE_P(Tests, CoreWithErrors, testing::Values(4, 0),
+                         [](const auto& each) { return each.param == 0 ? "Serial" : "Unit"; });
 
 TEST(CoreBench, TakesFewTagsAndAddressesThatGoRound) {
   const Picture picture(4, 24);
@@ -337,7 +444,7 @@ TEST(CoreBench, TakesFewTagsAndAddressesThatGoRound) {
   options.tag_bits = 2;
   const rtl::Core core = rtl::make_core(options, library());
   NativeCore native(core);
-  CoreBench bench(core, native, picture.image, {.least_latency = 1, .most_latency = 20}, {.base = 4'000});
+  CoreBench bench(core, native, picture.image, {.least_latency = 1, .most_latency = 20}, {.base = 2'000});
   std::vector<CoreAnswer> answers(picture.rays.jobs.size());
   bench.run(picture.rays.jobs, answers);
   expect_right(picture, bench, answers);

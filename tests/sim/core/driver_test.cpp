@@ -1,17 +1,22 @@
 // The driver of examples/core_system refuses what a core would answer wrongly, and says why.
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"
 #include "rtl_gen/core/c_header.hpp"
+#include "sw_ref/core/core_image.hpp"
 #include "tests/rtl_gen/tool.hpp"
+#include "tests/sim/small_scene.hpp"
 
 namespace hitpipe::sim::driver_test {
 namespace {
 
-/// Registers that keep what is written. Prints what core_start() says of IMAGE and BLOCKS, and what it wrote.
+/// Registers that keep what is written. Prints what the driver says of an image in the file FILE at ADDRESS, and what it
+/// wrote. REGISTER=VALUE changes a register before.
 constexpr const char* program = R"(#include "driver.h"
 #include <inttypes.h>
 #include <stdio.h>
@@ -32,43 +37,113 @@ bool fifo_take(uint32_t* tag, uint8_t* bytes) {
   return *tag == bytes[0];
 }
 int main(int count, char** arguments) {
-  if (count != 5) return 2;
-  words[CORE_REG_IDENTITY / 4] = (uint32_t)strtoul(arguments[1], NULL, 0);
-  words[CORE_REG_VERSION / 4] = (uint32_t)strtoul(arguments[2], NULL, 0);
-  const char* const refused = core_start(strtoull(arguments[3], NULL, 0), strtoull(arguments[4], NULL, 0));
+  static uint8_t bytes[1 << 20];
+  struct core_image image;
+  FILE* const file = count > 2 ? fopen(arguments[1], "rb") : NULL;
+  if (!file) return 2;
+  const size_t size = fread(bytes, 1, sizeof bytes, file);
+  words[CORE_REG_IDENTITY / 4] = CORE_IDENTITY;
+  words[CORE_REG_VERSION / 4] = CORE_VERSION;
+  words[CORE_REG_FORMAT / 4] = CORE_FORMAT;
+  words[CORE_REG_SHAPE / 4] = CORE_SHAPE;
+  words[CORE_REG_PORTS / 4] = CORE_PORTS;
+  words[CORE_REG_STATUS / 4] = CORE_IDLE;
+  for (int i = 3; i < count; ++i) {
+    char* end;
+    const unsigned long place = strtoul(arguments[i], &end, 0);
+    words[place / 4] = (uint32_t)strtoul(end + 1, NULL, 0);
+  }
+  const char* refused = core_read_image(&image, bytes, size);
+  if (!refused) refused = core_start(strtoull(arguments[2], NULL, 0), &image);
   if (refused) {
     printf("%s, %d writes", refused, writes);
   } else {
-    printf("starts at 0x%" PRIx64 ", last %" PRIu32 ", rays %" PRIu32,
+    printf("starts at 0x%" PRIx64 ", last %" PRIu32 ", rays %" PRIu32 ", %" PRIu32 " triangles, %" PRIu32
+           " missing, scale %.17g, offset %.17g",
            (uint64_t)words[CORE_REG_BASE_HIGH / 4] << 32 | words[CORE_REG_BASE_LOW / 4],
-           words[CORE_REG_LAST_BLOCK / 4], words[CORE_REG_MOST_RAYS / 4]);
+           words[CORE_REG_LAST_BLOCK / 4], words[CORE_REG_MOST_RAYS / 4], image.triangles, image.missing,
+           image.scale, image.offset[1]);
   }
   return 0;
 }
 )";
 
-TEST(CoreDriver, SaysWhyItDoesNotStart) {
-  const rtl::Core core = rtl::make_core({.rays = 8, .address_bits = 12, .byte_bits = 36},
-                                        rtl::library_called(rtl::default_library), "hitpipe_core");
-  const host::ScratchFolder folder("core-driver");
-  host::write_files(folder.path(), {{"hitpipe_core.h", rtl::c_header(core)}, {"main.c", program}});
-  const rtl::ToolResult built =
-      rtl::run_tool(folder.path(), "gcc", "cc",
-                    "-std=c99 -Wall -Wextra -Wpedantic -Werror -I. -I" HITPIPE_SOURCE
-                    "/examples/core_system main.c -o main");
-  ASSERT_EQ(built.status, 0) << built.output;
-  const auto says = [&](const std::string& arguments) {
-    return rtl::run_tool(folder.path(), "main", "./main", arguments).output;
+class CoreDriver : public testing::Test {
+ protected:
+  CoreDriver() {
+    const rtl::Core core = rtl::make_core({.rays = 8, .levels = 30, .address_bits = 12, .byte_bits = 36},
+                                          rtl::library_called(rtl::default_library), "hitpipe_core");
+    host::write_files(folder_.path(), {{"hitpipe_core.h", rtl::c_header(core)}, {"main.c", program}});
+    const rtl::ToolResult built =
+        rtl::run_tool(folder_.path(), "gcc", "cc",
+                      "-std=c99 -Wall -Wextra -Wpedantic -Werror -I. -I" HITPIPE_SOURCE
+                      "/examples/core_system main.c -o main");
+    EXPECT_EQ(built.status, 0) << built.output;
+  }
+  /// Of an image that is in a file.
+  std::string says(const std::string& bytes, const std::string& arguments) {
+    host::write_file((folder_.path() / "image").string(), bytes);
+    return rtl::run_tool(folder_.path(), "main", "./main", "image " + arguments).output;
+  }
+
+  host::ScratchFolder folder_{"core-driver"};
+  const ref::IntScene scene_ = [] {
+    ref::Scene hills = sim::hills();
+    hills.to_cube = {.offset = {0.1, 0.3, 0.7}, .scale = 1.0 / 3};
+    return ref::int_scene(hills, {}, {.build = {.max_triangles = 2}});
+  }();
+  const ref::CoreImage image_ = ref::core_image(scene_);
+  const std::string bytes_ = ref::core_image_bytes(image_.blocks);
+};
+
+TEST_F(CoreDriver, StartsWithAnImageThatTheCoreCanRead) {
+  EXPECT_EQ(says(bytes_, "0xfffff0040"),
+            fmt::format("starts at 0xfffff0040, last {}, rays 8, {} triangles, 0 missing, "
+                        "scale 0.33333333333333331, offset 0.29999999999999999",
+                        image_.blocks.size() - 1, scene_.mesh.triangles.size()));
+  EXPECT_EQ(says(bytes_ + "more", "0x40"), says(bytes_, "0x40")) << "memory may be larger than the image";
+}
+
+TEST_F(CoreDriver, SaysWhyItDoesNotStart) {
+  EXPECT_EQ(says(bytes_, "0x40 0x00=0x48697471"), "no core answers at that address, 0 writes");
+  EXPECT_EQ(says(bytes_, "0x40 0x04=1"), "the core has another version than its header, 0 writes");
+  for (const char* const reg : {"0x28", "0x2c", "0x30"})
+    EXPECT_EQ(says(bytes_, fmt::format("0x40 {}=0", reg)),
+              "the core was made with other options than its header, 0 writes");
+  EXPECT_EQ(says(bytes_, "0x40 0x08=0"), "the core has rays, 0 writes");
+  for (const char* const address : {"0x44", "0x60"})
+    EXPECT_EQ(says(bytes_, address), "the image does not begin at a multiple of 64, 0 writes");
+  for (const char* const address : {"0xfffffffc0", "0x1000000000", "0xffffffffffffffc0"})
+    EXPECT_EQ(says(bytes_, address), "the image ends above the core's last address, 0 writes");
+}
+
+TEST_F(CoreDriver, RefusesAnImageThatIsNotTheCores) {
+  const auto of = [&](std::vector<ref::CoreBlock> blocks, const ref::CoreHeader& header) {
+    put_header(blocks, header);
+    return says(ref::core_image_bytes(blocks), "0x40");
   };
-  EXPECT_EQ(says("0x48697470 1 0x40 4096"), "starts at 0x40, last 4095, rays 8");
-  EXPECT_EQ(says("0x48697470 1 0xfffffffe0 1"), "starts at 0xfffffffe0, last 0, rays 8");
-  EXPECT_EQ(says("0x48697471 1 0x40 4096"), "no core answers at that address, 0 writes");
-  EXPECT_EQ(says("0x48697470 2 0x40 4096"), "the core has another version than its header, 0 writes");
-  EXPECT_EQ(says("0x48697470 1 0x44 4096"), "the image does not begin at a multiple of 32, 0 writes");
-  EXPECT_EQ(says("0x48697470 1 0x40 0"), "the image has no block, 0 writes");
-  EXPECT_EQ(says("0x48697470 1 0x40 4097"), "the image has more blocks than the core can name, 0 writes");
-  EXPECT_EQ(says("0x48697470 1 0xfffffffe0 2"), "the image ends above the core's last address, 0 writes");
-  EXPECT_EQ(says("0x48697470 1 0x1000000000 1"), "the image ends above the core's last address, 0 writes");
+  EXPECT_EQ(says(std::string(100'000, '\0'), "0x40"), "there is no image, 0 writes");
+  EXPECT_EQ(says(bytes_.substr(0, 100), "0x40"), "there is no image, 0 writes");
+  EXPECT_EQ(says(bytes_.substr(0, bytes_.size() - 1), "0x40"), "the image is cut, 0 writes");
+  std::string half = bytes_;
+  std::fill(half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2), half.end(), '\0');
+  EXPECT_EQ(says(half, "0x40"), "the image was changed or half written, 0 writes");
+  std::string later = bytes_;
+  later[39] = '\2';
+  EXPECT_EQ(says(later, "0x40"), "the image has another version than the core's header, 0 writes");
+  ref::CoreHeader header = image_.header;
+  header.coord_bits = 16;
+  EXPECT_EQ(of(image_.blocks, header), "the image has another grid than the core, 0 writes");
+  header = image_.header;
+  header.levels = 31;
+  EXPECT_EQ(of(image_.blocks, header), "the image has more levels than the core, 0 writes");
+  std::vector<ref::CoreBlock> large = image_.blocks;
+  large.resize(4097);
+  EXPECT_EQ(of(large, image_.header), "the image has more blocks than the core can name, 0 writes");
+  large.resize(4096);
+  EXPECT_NE(of(large, image_.header).find("starts at 0x40, last 4095"), std::string::npos);
+  large.resize(2);
+  EXPECT_EQ(says(ref::core_image_bytes(large), "0x40"), "there is no image, 0 writes");
 }
 
 }  // namespace
