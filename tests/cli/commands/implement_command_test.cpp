@@ -263,7 +263,7 @@ TEST_F(ImplementCommand, CoreIsMappedAloneAndBehindAxi) {
 
   const Outcome text = run_hitpipe(words);
   EXPECT_THAT(text.out, StartsWith("core        tracer\nbits        8+0/4s8\n"));
-  EXPECT_THAT(text.out, HasSubstr("\n\n                tracer  tracer_axi\n"));
+  EXPECT_THAT(text.out, HasSubstr("\n\n                  tracer  tracer_axi\ncells "));
   EXPECT_THAT(text.out, Not(HasSubstr("fmax")));
 }
 

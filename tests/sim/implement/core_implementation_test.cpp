@@ -83,7 +83,7 @@ TEST(CoreImplementation, SaysWhichModuleIsNotMapped) {
   const TemporaryFolder folder;
   EXPECT_EQ(
       message_of([&] { (void)implement_core(small, target, {.folder = folder.path(), .module = "box"}); }),
-      "box_axi: yosys: exit code 1; its output is in " +
+      "box_axi: yosys: failed with exit code 1; its output is in " +
           (folder.path() / "xc7" / "box_axi_synthesis.log").string());
 }
 
