@@ -1,7 +1,8 @@
+#include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,6 +16,8 @@
 #include "cli/text/help.hpp"
 #include "cli/text/implementation_text.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "host/files.hpp"
 #include "sim/implement/core_implementation.hpp"
 #include "sim/implement/target.hpp"
 
@@ -30,7 +33,7 @@ struct CoreImplementCommand {
   OutputFormat format = OutputFormat::text;
 };
 
-/// Of a core alone, which has more pins than a chip that is placed. Returns the exit code.
+/// Of a core alone and behind AXI, which have more pins than a chip that is placed. Returns the exit code.
 int map_core(const CoreImplementCommand& command) {
   rtl::CoreOptions core_options = command.core.core();
   core_options.clock_ps = command.options.clock_ps;
@@ -39,29 +42,45 @@ int map_core(const CoreImplementCommand& command) {
   sim::ImplementOptions options = command.options;
   options.seeds = 0;
   options.progress = [&](const std::string& step) { progress.emplace(step); };
-  const sim::CoreImplementation core = sim::implement_core(core_options, target, options);
+  const sim::CoreImplementation made = sim::implement_core(core_options, target, options);
   progress.reset();
 
   const std::string bits = rtl::to_string(rtl::Format(core_options.bits));
-  Row row{{"core", core.chip.module}, {"bits", bits},        {"rays", core_options.rays},
-          {"target", target.name},    {"chip", target.chip}, {"library", core.chip.library},
-          {"clock_ps", core.clock_ps}};
-  row.update(taken_row(core.chip));
-  row["memory_bits"] = core.memory_bits;
-  row.update(tools_row(core.chip));
-  keep_and_print(std::move(row), options.folder / target.name / (core.chip.module + "_implementation.json"),
-                 command.format);
-  const std::string fault = fault_of(target, core.chip);
-  if (fault.empty()) return 0;
-  fmt::print(stderr, "hitpipe: core {} {}\n", bits, fault);
-  return 1;
+  Row both{{"core", made.core.chip.module}, {"bits", bits},        {"rays", core_options.rays},
+           {"target", target.name},         {"chip", target.chip}, {"library", made.core.chip.library},
+           {"clock_ps", made.clock_ps}};
+  both.update(tools_row(made.core.chip));
+  const std::filesystem::path folder = options.folder / target.name;
+  std::vector<Row> columns, rows;
+  std::string faults;
+  for (const sim::MappedCore* const mapped : {&made.core, &made.axi}) {
+    const sim::Implementation& chip = mapped->chip;
+    Row column{{"module", chip.module}};
+    column.update(taken_row(chip));
+    column["memory_bits"] = mapped->memory_bits;
+    Row row = both;
+    row.update(column);
+    host::write_file(folder / (chip.module + "_implementation.json"), record_text(row, OutputFormat::json));
+    row["files"] = folder.string();
+    columns.push_back(std::move(column));
+    rows.push_back(std::move(row));
+    if (const std::string fault = fault_of(target, chip); !fault.empty())
+      faults += fmt::format("hitpipe: {} {} {}\n", chip.module, bits, fault);
+  }
+  both["files"] = folder.string();
+  if (command.format == OutputFormat::text)
+    fmt::print("{}\n{}", record_text(without_nothing(both), OutputFormat::text), columns_text(columns));
+  else
+    fmt::print("{}", table_text(rows, command.format));
+  fmt::print(stderr, "{}", faults);
+  return faults.empty() ? 0 : 1;
 }
 
 }  // namespace
 
 CLI::App* add_core_implement_command(CLI::App& core, int& exit_code) {
   CLI::App* const command =
-      core.add_subcommand("implement", "Map a core to a chip, or make a bitstream with it for a board");
+      core.add_subcommand("implement", "Map a core and its AXI wrapper, or make a bitstream for a board");
   const auto options = std::make_shared<CoreImplementCommand>();
   add_core_bits_option(*command, options->core.bits, rtl::to_string(rtl::Format(options->core.options.bits)));
   CLI::Option* const target = add_target_option(*command, options->target);
@@ -80,6 +99,8 @@ CLI::App* add_core_implement_command(CLI::App& core, int& exit_code) {
     exclude(option, board, "a board has a core of its own");
   for (CLI::Option* const option : add_core_port_options(*command, options->core))
     exclude(option, board, "a board has a core of its own");
+  for (CLI::Option* const option : add_core_bus_options(*command, options->core))
+    exclude(option, board, "a board's core has no AXI");
   add_format_option(*command, options->format);
   add_examples(*command, {"hitpipe core implement --target xc7 --out core",
                           "hitpipe core implement --board icebreaker --out core"});

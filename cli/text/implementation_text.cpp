@@ -32,14 +32,6 @@ std::pair<Row, Row> largest_share(const sim::Implementation& module) {
   return largest;
 }
 
-/// For a reader: only what there is.
-Row without_nothing(const Row& row) {
-  Row left;
-  for (const auto& [key, value] : row.items())
-    if (!value.is_null()) left[key] = value;
-  return left;
-}
-
 }  // namespace
 
 Row rounded(std::optional<double> value) {
@@ -69,6 +61,13 @@ Row taken_row(const sim::Implementation& module) {
 Row tools_row(const sim::Implementation& module) {
   return {{"not_placed", module.not_placed.empty() ? Row(nullptr) : Row(module.not_placed)},
           {"tools", fmt::format("{}", fmt::join(module.tools, "; "))}};
+}
+
+Row without_nothing(const Row& row) {
+  Row left;
+  for (const auto& [key, value] : row.items())
+    if (!value.is_null()) left[key] = value;
+  return left;
 }
 
 std::string fault_of(const sim::Target& target, const sim::Implementation& module) {

@@ -19,6 +19,9 @@ namespace hitpipe::cli {
 /// The last keys: why there is no placement, and the tools.
 [[nodiscard]] Row tools_row(const sim::Implementation& module);
 
+/// For a reader: only what there is.
+[[nodiscard]] Row without_nothing(const Row& row);
+
 /// What is wrong with the module in this target; empty when nothing is.
 [[nodiscard]] std::string fault_of(const sim::Target& target, const sim::Implementation& module);
 

@@ -91,6 +91,37 @@ std::string table_text(const std::vector<Row>& rows, OutputFormat format) {
   return text;
 }
 
+std::string columns_text(const std::vector<Row>& rows) {
+  struct Line {
+    std::string key;
+    std::vector<std::string> values;
+  };
+  std::vector<Line> lines;
+  for (const auto& [key, value] : rows.front().items()) {
+    Line line{lines.empty() ? "" : key, {}};
+    bool has_value = false;
+    for (const Row& row : rows) {
+      line.values.push_back(readable(row.at(key)));
+      has_value = has_value || !row.at(key).is_null();
+    }
+    if (has_value) lines.push_back(std::move(line));
+  }
+  std::size_t key_width = 0;
+  std::vector<std::size_t> widths(rows.size());
+  for (const Line& line : lines) {
+    key_width = std::max(key_width, line.key.size());
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], line.values[i].size());
+  }
+  std::string text;
+  for (const Line& line : lines) {
+    text += fmt::format("{:<{}}", line.key, key_width);
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      text += fmt::format("  {:>{}}", line.values[i], widths[i]);
+    text += "\n";
+  }
+  return text;
+}
+
 std::string record_text(const Row& row, OutputFormat format) {
   if (format == OutputFormat::json) return dump(row, 2) + "\n";
   if (format == OutputFormat::csv) return csv_text({row});

@@ -16,6 +16,10 @@ enum class OutputFormat { text, csv, json };
 /// One line for each row, under a header. JSON: an array of objects. All rows have the keys of the first.
 [[nodiscard]] std::string table_text(const std::vector<Row>& rows, OutputFormat format);
 
+/// Text for few rows of many keys: one line for each key, one column for each row. The first key is not shown;
+/// its values head the columns. A key that has a value in no row has no line.
+[[nodiscard]] std::string columns_text(const std::vector<Row>& rows);
+
 /// One line for each value. CSV: one row. JSON: one object. A value may be an array of strings: text has one
 /// line for each, CSV has one cell with blanks between them.
 [[nodiscard]] std::string record_text(const Row& row, OutputFormat format);

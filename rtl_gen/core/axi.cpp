@@ -46,22 +46,35 @@ std::vector<Port> ports_of(const Core& core, std::string_view before) {
 
 /// A machine around the core.
 struct Around {
-  Around(const Core& core, const std::string& name, const Format& format)
-      : module(core.module + "_" + name),
+  Around(const Core& core, std::string machine, const Format& format)
+      : name(std::move(machine)),
+        module(core.module + "_" + name),
         graph(machine_called(name)->graph(format)),
         interface(machine_interface(module, graph)),
         verilog(to_verilog(graph, {.module = module, .bits = to_string(format)})) {}
 
+  std::string name;
   std::string module;
   MachineGraph graph;
   ModuleInterface interface;
   std::string verilog;
 };
 
+std::vector<Around> machines_around(const Core& core) {
+  const CoreOptions& options = core.options;
+  std::vector<Around> machines;
+  machines.emplace_back(
+      core, "registers",
+      hls::RegisterBits{options.address_bits, options.byte_bits, options.ray_bits(), counter_bits});
+  if (options.has_one_id())
+    machines.emplace_back(core, "beats", hls::BeatBits{options.data_bits, options.ray_bits()});
+  return machines;
+}
+
 ModuleInterface interface_of(const Core& core) {
   using Role = Pin::Role;
   ModuleInterface made{axi_module(core),
-                       {{"aclk", Role::clock, "", true}, {"aresetn", Role::reset, "", true}}};
+                       {{axi_clock, Role::clock, "", true}, {"aresetn", Role::reset, "", true}}};
   const auto add = [&](const std::string& channel, bool is_input,
                        const std::vector<std::pair<std::string, int>>& data) {
     made.pins.push_back({channel + "valid", Role::valid, channel, is_input});
@@ -104,7 +117,7 @@ class Connections {
     const bool has_one_id = core.options.has_one_id();
     for (std::size_t i = 0; i < fields.size(); ++i) ends_["ray_" + fields[i].name] = bits[i];
     for (const auto& [port, pin] :
-         std::vector<std::pair<const char*, const char*>>{{"clk", "aclk"},
+         std::vector<std::pair<const char*, const char*>>{{"clk", axi_clock},
                                                           {"rst", "~aresetn"},
                                                           {"ray_valid", "s_axis_ray_tvalid"},
                                                           {"ray_ready", "s_axis_ray_tready"},
@@ -200,6 +213,11 @@ std::string joined(const std::vector<Port>& ports, std::string_view before) {
 std::string axi_module(const Core& core) {
   return core.module + "_axi";
 }
+std::vector<MachineGraph> axi_machines(const Core& core) {
+  std::vector<MachineGraph> graphs;
+  for (Around& machine : machines_around(core)) graphs.push_back(std::move(machine.graph));
+  return graphs;
+}
 std::vector<Port> ray_ports(const Core& core) {
   return ports_of(core, "ray_");
 }
@@ -209,9 +227,7 @@ std::vector<Port> hit_ports(const Core& core) {
 
 std::string axi_verilog(const Core& core) {
   const CoreOptions& options = core.options;
-  const Around registers(
-      core, "registers",
-      hls::RegisterBits{options.address_bits, options.byte_bits, options.ray_bits(), counter_bits});
+  const std::vector<Around> machines = machines_around(core);
   const BeatText ray(ray_ports(core), "s_axis_ray_tdata"), hit(hit_ports(core), "m_axis_hit_tdata");
   const Connections connections(core, ray_ports(core), ray.bits);
   std::string wires;
@@ -236,14 +252,15 @@ std::string axi_verilog(const Core& core) {
                                                 {"hit_valid", "core_hit_valid"},
                                                 {"hit_ready", "core_hit_ready"},
                                                 {"request_valid", "core_request_valid"},
-                                                {"request_ready", "core_request_ready"}}) +
-                          connections.instance(registers.interface, "registers_i");
-  std::string modules = registers.verilog, between(gates);
+                                                {"request_ready", "core_request_ready"}});
+  std::string modules;
+  for (const Around& machine : machines) {
+    instances += connections.instance(machine.interface, machine.name + "_i");
+    modules += (modules.empty() ? "" : "\n") + machine.verilog;
+  }
+  std::string between(gates);
   if (options.has_one_id()) {
-    const Around beats(core, "beats", hls::BeatBits{options.data_bits, options.ray_bits()});
     join(channels::BlockRead::Items());
-    instances += connections.instance(beats.interface, "beats_i");
-    modules += "\n" + beats.verilog;
   } else {
     wire(channels::read_valid.name(), 1);
     between += fmt::format(with_identifiers, epoch_bits - 1, epoch_bits, id_bits, id_bits + epoch_bits - 1);

@@ -12,7 +12,11 @@
 
 namespace hitpipe::rtl {
 
+inline constexpr const char* axi_clock = "aclk";
+
 [[nodiscard]] std::string axi_module(const Core& core);
+/// Those that stand beside the core in the module.
+[[nodiscard]] std::vector<MachineGraph> axi_machines(const Core& core);
 /// Fields of s_axis_ray_tdata and m_axis_hit_tdata. The tag is tid.
 [[nodiscard]] std::vector<Port> ray_ports(const Core& core);
 [[nodiscard]] std::vector<Port> hit_ports(const Core& core);

@@ -1,8 +1,14 @@
 #include "sim/implement/core_implementation.hpp"
 
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
 #include "area_model/price.hpp"
 #include "host/files.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/core/axi.hpp"
 #include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/verilog/names.hpp"
 #include "sim/implement/target.hpp"
@@ -18,16 +24,33 @@ CoreImplementation implement_core(const rtl::CoreOptions& core_options, const Ta
   const Workbench bench(options.folder / target.name);
 
   options.progress("writing the core");
-  const host::File verilog{core.module + ".v", rtl::to_verilog(core, library)};
-  host::write_files(bench.kept(), {rtl::with_licence(verilog)});
-  CoreImplementation result{
-      .chip = map_module(target, {core.module, {verilog}}, tools, bench, options.progress),
-      .clock_ps = core.clock_ps};
-  result.chip.library = library.name();
+  const host::File core_file{core.module + ".v", rtl::to_verilog(core, library)};
+  const host::File axi_file{rtl::axi_module(core) + ".v", rtl::axi_verilog(core)};
+  host::write_files(bench.kept(), {rtl::with_licence(core_file), rtl::with_licence(axi_file)});
+
+  const auto implement = [&](const ChipSources& sources) {
+    const StepListener progress = [&](const std::string& step) {
+      options.progress(fmt::format("{}: {}", sources.top, step));
+    };
+    try {
+      Implementation module = map_module(target, sources, tools, bench, progress);
+      module.library = library.name();
+      place_or_time(module, target, tools, bench, options.seeds, progress);
+      return module;
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("{}: {}", sources.top, error.what()));
+    }
+  };
+  const auto bits = [&](const rtl::MachineGraph& graph) { return area::price(graph, library).memory_bits; };
+  std::int64_t core_bits = 0;
   for (const rtl::Part& part : core.parts)
-    if (part.graph) result.memory_bits += area::price(*part.graph, library).memory_bits;
-  place_or_time(result.chip, target, tools, bench, options.seeds, options.progress);
-  return result;
+    if (part.graph) core_bits += bits(*part.graph);
+  std::int64_t axi_bits = core_bits;
+  for (const rtl::MachineGraph& machine : rtl::axi_machines(core)) axi_bits += bits(machine);
+
+  return {.core = {implement({core.module, {core_file}}), core_bits},
+          .axi = {implement({rtl::axi_module(core), {core_file, axi_file}, rtl::axi_clock}), axi_bits},
+          .clock_ps = core.clock_ps};
 }
 
 }  // namespace hitpipe::sim

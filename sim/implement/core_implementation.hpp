@@ -1,4 +1,4 @@
-// Maps a traversal core to a target, as a unit is mapped.
+// Maps a traversal core to a target, as a unit is mapped: alone, and behind AXI.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,20 @@
 
 namespace hitpipe::sim {
 
-struct CoreImplementation {
+struct MappedCore {
   Implementation chip;
-  int clock_ps = 0;              ///< that its units are scheduled for
   std::int64_t memory_bits = 0;  ///< of the memories that its machines declare
 };
 
-/// Writes the core's Verilog and all that the tools read and wrote as implement_unit() does, and throws as it
-/// and rtl::make_core() do. Options that only units have are not used.
+struct CoreImplementation {
+  MappedCore core;
+  MappedCore axi;    ///< the AXI wrapper with the core in it
+  int clock_ps = 0;  ///< that the core's units are scheduled for
+};
+
+/// Writes the Verilog of both and all that the tools read and wrote as implement_unit() does, and throws as it
+/// and rtl::make_core() do; a line about a tool begins with the module. Options that only units have are not
+/// used.
 [[nodiscard]] CoreImplementation implement_core(const rtl::CoreOptions& core_options, const Target& target,
                                                 const ImplementOptions& options);
 

@@ -13,12 +13,12 @@ namespace hitpipe::sim {
 namespace {
 
 /// The module as the counted netlist has it, between shift registers. Returns the netlist's name.
-std::string synthesise_harness(const Target& target, const Synthesis& module, const Tool& yosys,
-                               const Workbench& bench) {
+std::string synthesise_harness(const Target& target, const Synthesis& module, const std::string& clock,
+                               const Tool& yosys, const Workbench& bench) {
   const std::string top = harness_module(module.top);
   const std::string netlist = top + ".json";
   const std::vector<ChipPort> ports = ports_of_netlist(bench.read(module.json()), module.top);
-  bench.put_and_keep(rtl::with_licence({top + ".v", shift_harness(module.top, module_clock, ports)}));
+  bench.put_and_keep(rtl::with_licence({top + ".v", shift_harness(module.top, clock, ports)}));
   // The netlist has modules of cells without the timing that a newer Yosys wants of them; it has its own.
   // While the module is a black box, its cells stay as they are.
   const std::string script = fmt::format(
@@ -54,6 +54,7 @@ Implementation map_module(const Target& target, const ChipSources& sources, cons
                           const Workbench& bench, const StepListener& progress) {
   progress("synthesising");
   Implementation result{.module = sources.top,
+                        .clock = sources.clock,
                         .synthesis = synthesise(target, sources, tools.yosys, bench),
                         .counts = {},
                         .tools = {tools.yosys.release()}};
@@ -75,8 +76,8 @@ void place_or_time(Implementation& module, const Target& target, const ChipTools
     module.placed = place_and_route(
         target,
         {.top = harness_module(module.module),
-         .netlist = synthesise_harness(target, module.synthesis, tools.yosys, bench),
-         .clock = module_clock,
+         .netlist = synthesise_harness(target, module.synthesis, module.clock, tools.yosys, bench),
+         .clock = module.clock,
          .seeds = seeds,
          .progress = [&](int seed) { progress(fmt::format("placing, seed {} of {}", seed, seeds)); }},
         *tools.placer, bench);
@@ -85,7 +86,7 @@ void place_or_time(Implementation& module, const Target& target, const ChipTools
   if (tools.sta) {
     progress("timing the cells");
     module.tools.push_back("OpenSTA " + tools.sta->release());
-    module.critical_path_ns = critical_path_ns(target, module.synthesis, module_clock, *tools.sta, bench);
+    module.critical_path_ns = critical_path_ns(target, module.synthesis, module.clock, *tools.sta, bench);
   }
 }
 

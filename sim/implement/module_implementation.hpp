@@ -16,14 +16,12 @@
 
 namespace hitpipe::sim {
 
-/// Of every module that is mapped.
-inline constexpr const char* module_clock = "clk";
-
 /// Told what is being done.
 using StepListener = std::function<void(const std::string& step)>;
 
 struct Implementation {
   std::string module;
+  std::string clock;  ///< its port
   Synthesis synthesis;
   std::vector<ResourceCount> counts;  ///< of the module alone, in the order of the target
   std::optional<PlacedDesign>

@@ -103,7 +103,9 @@ Synthesis synthesise(const Target& target, const ChipSources& sources, const Too
   script += "delete t:$scopeinfo\n";
   script += fmt::format("tee -q -o {} stat -json\n", cells);
   if (!target.liberty.empty()) script += fmt::format("tee -q -o {} stat -liberty {}\n", area, target.liberty);
-  script += fmt::format("write_verilog -noattr {}\nwrite_json {}\n", result.verilog(), result.json());
+  // OpenSTA reads no assignment to bits that are joined.
+  script +=
+      fmt::format("write_verilog -noattr -simple-lhs {}\nwrite_json {}\n", result.verilog(), result.json());
   const std::string script_name = sources.top + "_synthesis.ys";
   bench.put_and_keep(rtl::with_licence({script_name, script}));
   bench.run(yosys, {"-s", script_name}, sources.top + "_synthesis.log");

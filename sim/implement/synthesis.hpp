@@ -12,10 +12,14 @@
 
 namespace hitpipe::sim {
 
+/// Of every module that is mapped, unless its bus has another.
+inline constexpr const char* module_clock = "clk";
+
 /// Verilog that goes into a chip: a unit, or a top of the user's own around it.
 struct ChipSources {
   std::string top;
   std::vector<host::File> verilog;
+  std::string clock = module_clock;
 };
 
 struct ResourceCount {

@@ -393,6 +393,8 @@ TEST_F(WrongUseOf, TargetsAndBoards) {
         "--clock-ps: Value auto not in range 1 to 1000000000;"},
        {"core implement --out OUT --board icebreaker --rays 3",
         "--rays excludes --board: a board has a core of its own;"},
+       {"core implement --out OUT --board icebreaker --data-bits 64",
+        "--data-bits excludes --board: a board's core has no AXI;"},
        {"core implement --out OUT --target ice40_hx --seeds 1", "--seeds requires --board;"},
        {on_chip + "xc7 --seeds 101", "--seeds: Value 101 not in range 0 to 100;"},
        {on_chip + "xc7 --simulate 9",

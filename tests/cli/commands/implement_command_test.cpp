@@ -226,28 +226,45 @@ TEST_F(ImplementCommand, UnitThatDoesNotFitIsToldAnOptionThatDoes) {
 }
 
 /// No cells are chosen, so that it is quick.
-TEST_F(ImplementCommand, CoreIsMappedAsAUnitIs) {
+TEST_F(ImplementCommand, CoreIsMappedAloneAndBehindAxi) {
   const std::filesystem::path file = folder_.write("words.json", R"({
     "name": "words", "chip": "Words", "library": "xc7",
     "synthesis": ["prep -flatten -top {top}", "chtype -set MEMORY t:$mem_v2", "chtype -set OTHER t:$*"],
     "resources": {"luts": {"cells": {"OTHER": 1}, "available": 10}, "rams": {"cells": {"MEMORY": 1}}},
     "not_placed": "it is too small"})");
-  const Outcome outcome =
-      run_hitpipe({"core", "implement", "--bits", "8+0/4s8", "--rays", "4", "--stack", "2", "--name",
-                   "tracer", "--target", file.string(), "--out", out_.string(), "--format", "json"});
+  const std::vector<std::string> words{"core",     "implement",   "--bits", "8+0/4s8",    "--rays",      "4",
+                                       "--stack",  "2",           "--name", "tracer",     "--data-bits", "64",
+                                       "--target", file.string(), "--out",  out_.string()};
+  const Outcome outcome = run_hitpipe(with(words, {"--format", "json"}));
   EXPECT_EQ(outcome.exit_code, 1);
-  auto object = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(object["core"], "tracer");
-  EXPECT_EQ(object["rays"], 4);
-  EXPECT_EQ(object["library"], "xc7");
-  EXPECT_GT(object["rams"], 20);
-  EXPECT_GT(object["memory_bits"], object["rams"]);
-  EXPECT_EQ(object["cells"], object["luts"].get<int>() + object["rams"].get<int>());
-  EXPECT_EQ(outcome.err, fmt::format("hitpipe: core 8+0/4s8 does not fit Words: {} of 10 luts\n",
-                                     object["luts"].get<int>()));
-  object.erase("files");
-  EXPECT_EQ(nlohmann::json::parse(contents_of(out_ / "words" / "tracer_implementation.json")), object);
-  EXPECT_THAT(contents_of(out_ / "words" / "tracer.v"), HasSubstr("module tracer_walker"));
+  auto objects = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(objects.size(), 2);
+  std::string faults;
+  for (std::size_t i = 0; i < 2; ++i) {
+    auto& object = objects[i];
+    const std::string module = i == 0 ? "tracer" : "tracer_axi";
+    EXPECT_EQ(object["core"], "tracer");
+    EXPECT_EQ(object["module"], module);
+    EXPECT_EQ(object["rays"], 4);
+    EXPECT_EQ(object["library"], "xc7");
+    EXPECT_GT(object["rams"], 20);
+    EXPECT_GT(object["memory_bits"], object["rams"]);
+    EXPECT_EQ(object["cells"], object["luts"].get<int>() + object["rams"].get<int>());
+    faults += fmt::format("hitpipe: {} 8+0/4s8 does not fit Words: {} of 10 luts\n", module,
+                          object["luts"].get<int>());
+    object.erase("files");
+    EXPECT_EQ(nlohmann::json::parse(contents_of(out_ / "words" / (module + "_implementation.json"))), object);
+    EXPECT_THAT(contents_of(out_ / "words" / (module + ".v")), HasSubstr("module " + module + " ("));
+  }
+  EXPECT_EQ(outcome.err, faults);
+  // The registers of the bus and, of a bus of 64 bits, what waits for its beats.
+  EXPECT_GT(objects[1]["luts"], objects[0]["luts"]);
+  EXPECT_GT(objects[1]["memory_bits"], objects[0]["memory_bits"]);
+
+  const Outcome text = run_hitpipe(words);
+  EXPECT_THAT(text.out, StartsWith("core        tracer\nbits        8+0/4s8\n"));
+  EXPECT_THAT(text.out, HasSubstr("\n\n                  tracer  tracer_axi\ncells "));
+  EXPECT_THAT(text.out, Not(HasSubstr("fmax")));
 }
 
 TEST_F(ImplementCommand, MissingToolNamesItsPackage) {

@@ -73,6 +73,21 @@ TEST(Table, IsALineARowAsCsvAndAnArrayAsJson) {
   EXPECT_EQ(Row::parse(table_text(rows, OutputFormat::json)), Row(rows));
 }
 
+TEST(Columns, AreRowsUnderTheirFirstValue) {
+  const std::vector<Row> rows{
+      {{"module", "core"},
+       {"luts", 12345},
+       {"fmax_mhz", nullptr},
+       {"share_of", "luts"},
+       {"path_ns", nullptr}},
+      {{"module", "core_axi"}, {"luts", 8}, {"fmax_mhz", nullptr}, {"share_of", "dsps"}, {"path_ns", 5.5}}};
+  EXPECT_EQ(columns_text(rows),
+            "                core  core_axi\n"
+            "luts          12,345         8\n"
+            "share_of        luts      dsps\n"
+            "path_ns   not judged      5.50\n");
+}
+
 TEST(Table, WithoutRowsIsEmpty) {
   EXPECT_EQ(table_text({}, OutputFormat::text), "");
   EXPECT_EQ(table_text({}, OutputFormat::csv), "");
