@@ -76,8 +76,9 @@ int trace_by_board(const CoreBoardCommand& choice) {
     host::make_folder(choice.out);
     ref::check_image_place(picture_file);
   }
-  const ref::IntScene scene = choice.scene.in_integers(loaded, options.bits.world(), choice.hierarchy);
-  const ref::CoreImage image = ref::core_image(scene);
+  const auto scene = std::make_shared<const ref::IntScene>(
+      choice.scene.in_integers(loaded, options.bits.world(), choice.hierarchy));
+  const ref::CoreImage image = ref::core_image(*scene);
   sim::check_fits(core, image);
   progress.emplace("walking in software");
   const ref::RenderOptions drawing{.width = choice.scene.width,
@@ -102,7 +103,7 @@ int trace_by_board(const CoreBoardCommand& choice) {
           {"port", choice.port},
           {"baud", baud},
           {"scene", choice.scene.name}};
-  row.update(scene_row(scene));
+  row.update(scene_row(*scene));
   row.update({{"blocks", image.blocks.size()},
               {"image_seconds", written.seconds},
               {"rays", traced.answered},

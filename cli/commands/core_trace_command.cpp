@@ -96,8 +96,9 @@ class Tracing {
         bits_(rtl::parse_bits<hls::WorldBits>(command.bits)),
         library_(rtl::library_called(command.library)),
         loaded_(command.scene.load()),
-        scene_(command.scene.in_integers(loaded_, bits_, command.hierarchy)),
-        image_(ref::core_image(scene_)),
+        scene_(std::make_shared<const ref::IntScene>(
+            command.scene.in_integers(loaded_, bits_, command.hierarchy))),
+        image_(ref::core_image(*scene_)),
         walking_{.world = bits_, .boxes = usual_box_format(bits_), .places = command.core.places} {
     if (image_.header.levels > command.core.options.levels)
       throw std::runtime_error(fmt::format(
@@ -151,20 +152,20 @@ class Tracing {
     const std::vector<std::string> unit{fmt::format("{}", rays_in_flight)};
     file.add(unit, list_, [&](std::size_t ray) {
       const auto& [hit, failed, exact] = answers[ray];
-      sim::Answer answer{.given = !failed, .exact = sim::meeting_of_number(scene_, list_[ray], exact)};
-      if (!failed && hit.found()) answer.found = sim::meeting_at(scene_, list_[ray], hit.triangle, hit.t);
+      sim::Answer answer{.given = !failed, .exact = sim::meeting_of_number(*scene_, list_[ray], exact)};
+      if (!failed && hit.found()) answer.found = sim::meeting_at(*scene_, list_[ray], hit.triangle, hit.t);
       return answer;
     });
   }
   [[nodiscard]] const ref::Scene& scene() const { return loaded_; }
-  [[nodiscard]] Row mesh() const { return scene_row(scene_); }
+  [[nodiscard]] Row mesh() const { return scene_row(*scene_); }
 
  private:
   const TraceCommand& command_;
   hls::WorldBits bits_;
   rtl::Library library_;
   ref::Scene loaded_;
-  ref::IntScene scene_;
+  std::shared_ptr<const ref::IntScene> scene_;
   ref::CoreImage image_;
   ref::CoreTracerOptions walking_;
   std::vector<sim::AskedRay> list_;
@@ -228,7 +229,7 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
   std::vector<CoreRun> runs;
   std::vector<std::vector<CoreRayAnswer>> answers(cores);
   std::optional<std::uint64_t> part;
-  sim::PictureRays rays;
+  std::optional<sim::PictureRays> rays;
   for (std::uint64_t i = mine.first; i < mine.end; ++i) {
     const auto show = [&](double share) {
       progress->show((static_cast<double>(i - mine.first) + share) / static_cast<double>(mine.size()));
@@ -239,13 +240,13 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
     }
     const auto keep = [&](std::span<const sim::CoreAnswer> given) {
       for (std::size_t ray = 0; file.wanted() && ray < given.size(); ++ray)
-        answers[i % cores].push_back({given[ray].hit, given[ray].failed, rays.triangles[ray]});
+        answers[i % cores].push_back({given[ray].hit, given[ray].failed, rays->triangles[ray]});
       if (!draws || i % cores + 1 != cores) return;
-      const std::vector<glm::vec3> drawn = rays.drawn(given, tracing.of_picture({*part + 1, command.parts}));
+      const std::vector<glm::vec3> drawn = rays->drawn(given, tracing.of_picture({*part + 1, command.parts}));
       picture.resize(drawn.size());
       for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) picture[pixel] += drawn[pixel];
     };
-    runs.push_back({i % cores, tracing.trace(i % cores, rays, show, keep)});
+    runs.push_back({i % cores, tracing.trace(i % cores, *rays, show, keep)});
   }
   if (file.wanted())
     for (std::size_t core = 0; core < cores; ++core)
