@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -32,9 +33,9 @@ double seconds_of(Work&& work) {
 void core(benchmark::State& state) {
   const ref::Scene loaded = ref::load_scene("spheres");
   rtl::CoreOptions options{.rays = static_cast<int>(state.range(0))};
-  const ref::IntScene scene =
-      ref::int_scene(loaded, options.bits.world(), {.build = ref::surface_area_build});
-  const ref::CoreImage image = ref::core_image(scene);
+  const auto scene = std::make_shared<const ref::IntScene>(
+      ref::int_scene(loaded, options.bits.world(), {.build = ref::surface_area_build}));
+  const ref::CoreImage image = ref::core_image(*scene);
   sim::make_room(options, image);
   const sim::PictureRays rays =
       sim::picture_rays(scene, image, {.world = options.bits.world(), .boxes = options.bits.boxes()},

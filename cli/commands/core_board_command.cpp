@@ -13,12 +13,10 @@
 #include "cli/commands/board_chips.hpp"
 #include "cli/options/board_options.hpp"
 #include "cli/options/core_options.hpp"
-#include "cli/options/hierarchy_options.hpp"
-#include "cli/options/scene_options.hpp"
+#include "cli/options/core_scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
-#include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
 #include "host/serial_port.hpp"
@@ -41,8 +39,7 @@ struct CoreBoardCommand {
   BoardChoice board{"icebreaker", {}};
   std::string port;
   bool simulate = false;
-  SceneChoice scene;
-  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
+  CoreSceneChoice traced;
   std::string out;  ///< empty: no picture is written
   OutputFormat format = OutputFormat::text;
 };
@@ -69,22 +66,22 @@ int trace_by_board(const CoreBoardCommand& choice) {
   link.require_same_core();
 
   progress.emplace("reading the scene");
-  const ref::Scene loaded = choice.scene.load();
+  const CoreScene loaded = choice.traced.load(choice.traced.stored(), options.bits.world(), text_of(core));
   const std::filesystem::path picture_file =
-      std::filesystem::path(choice.out) / (std::filesystem::path(loaded.name).stem().string() + ".png");
+      std::filesystem::path(choice.out) /
+      (std::filesystem::path(loaded.scene->scene.name).stem().string() + ".png");
   if (!choice.out.empty()) {
     host::make_folder(choice.out);
     ref::check_image_place(picture_file);
   }
-  const ref::IntScene scene = choice.scene.in_integers(loaded, options.bits.world(), choice.hierarchy);
-  const ref::CoreImage image = ref::core_image(scene);
+  const ref::CoreImage& image = loaded.image;
   sim::check_fits(core, image);
   progress.emplace("walking in software");
-  const ref::RenderOptions drawing{.width = choice.scene.width,
-                                   .height = choice.scene.height,
+  const ref::RenderOptions drawing{.width = choice.traced.scene.width,
+                                   .height = choice.traced.scene.height,
                                    .progress = [&](double share) { progress->show(share); }};
   const sim::PictureRays picture = sim::picture_rays(
-      scene, image,
+      loaded.scene, image,
       {.world = options.bits.world(), .boxes = options.bits.boxes(), .places = 1 << options.stack_bits},
       drawing);
   progress.emplace("writing the image");
@@ -97,12 +94,12 @@ int trace_by_board(const CoreBoardCommand& choice) {
   const auto hits = std::count_if(answers.begin(), answers.end(),
                                   [](const sim::CoreAnswer& answer) { return answer.hit.found(); });
   progress.reset();
-  Row row{{"core", core.module},
-          {"bits", text_of(core)},
-          {"port", choice.port},
-          {"baud", baud},
-          {"scene", choice.scene.name}};
-  row.update(scene_row(scene));
+  Row row{{"core", core.module}, {"bits", text_of(core)}, {"port", choice.port}, {"baud", baud}};
+  if (choice.traced.image.empty())
+    row["scene"] = choice.traced.scene.name;
+  else
+    row["image"] = choice.traced.image;
+  row.update(loaded.mesh);
   row.update({{"blocks", image.blocks.size()},
               {"image_seconds", written.seconds},
               {"rays", traced.answered},
@@ -120,7 +117,8 @@ int trace_by_board(const CoreBoardCommand& choice) {
   }
   if (!choice.out.empty()) {
     progress.emplace("drawing");
-    ref::write_image(picture_file, choice.scene.width, choice.scene.height, picture.drawn(answers, drawing));
+    ref::write_image(picture_file, choice.traced.scene.width, choice.traced.scene.height,
+                     picture.drawn(answers, drawing));
   }
   return 0;
 }
@@ -161,18 +159,21 @@ CLI::App* add_core_board_command(CLI::App& core, int& exit_code) {
   add_baud_option(*command, options->board)->needs(port);
   CLI::Option* const simulate = add_simulate_option(*command, options->simulate);
   needs_one_of(*command, {port, simulate});
-  add_scene_options(*command, options->scene);
-  CLI::Option* const scene = command->get_option("--scene")->required(false);
-  port->needs(scene);
-  add_hierarchy_options(*command, options->hierarchy, Boxes::integers);
+  const auto [scene, image] = add_core_scene_options(*command, options->traced);
+  port->check([scene = scene, image = image](const std::string&) {
+    if (scene->count() + image->count() == 0)
+      throw CLI::ParseError("--port requires --scene or --image", CLI::ExitCodes::RequiresError);
+    return std::string();
+  });
   add_folder_option(*command, options->out,
                     "Folder for the picture that the answers make, SCENE.png; written when all are right");
   exclude_all_but(*command, simulate, {"--board", "--bits", "--format"}, "the other side has the scene");
   add_format_option(*command, options->format);
   add_examples(*command, {"hitpipe core board --port /dev/ttyUSB1 --scene spheres --out out",
+                          "hitpipe core board --port /dev/ttyUSB1 --image spheres.bin",
                           "hitpipe core board --simulate"});
   command->callback([options, &exit_code] {
-    options->hierarchy.build.threads = options->scene.threads;
+    options->traced.hierarchy.build.threads = options->traced.scene.threads;
     exit_code = options->simulate ? simulate_core(*options) : trace_by_board(*options);
   });
   return command;

@@ -11,6 +11,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/cache_options.hpp"
+#include "cli/options/core_scene_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
@@ -53,23 +54,18 @@ Row figures_of(const ref::CoreImage& image) {
 }
 
 void check_image(const ImageCommand& command) {
-  const std::string bytes = host::read_file(command.check);
-  Row row{{"file", command.check}};
-  try {
-    const ref::CoreImage image = ref::checked_image(ref::core_image_blocks(bytes));
-    const ref::CoreHeader& header = image.header;
-    row.update({{"coordinate_bits", header.coord_bits},
-                {"triangles", header.triangles},
-                {"missing_triangles", header.missing}});
-    row.update(figures_of(image));
-    const glm::dvec3& offset = header.to_cube.offset;
-    row.update({{"offset", {offset.x, offset.y, offset.z}}, {"scale", header.to_cube.scale}});
-    if (command.format == OutputFormat::text) {  // with all digits
-      row["offset"] = fmt::format("{},{},{}", offset.x, offset.y, offset.z);
-      row["scale"] = fmt::format("{}", header.to_cube.scale);
-    }
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("{}: {}", command.check, error.what()));
+  const ref::CoreImage image = read_core_image(command.check);
+  const ref::CoreHeader& header = image.header;
+  Row row{{"file", command.check},
+          {"coordinate_bits", header.coord_bits},
+          {"triangles", header.triangles},
+          {"missing_triangles", header.missing}};
+  row.update(figures_of(image));
+  const glm::dvec3& offset = header.to_cube.offset;
+  row.update({{"offset", {offset.x, offset.y, offset.z}}, {"scale", header.to_cube.scale}});
+  if (command.format == OutputFormat::text) {  // with all digits
+    row["offset"] = fmt::format("{},{},{}", offset.x, offset.y, offset.z);
+    row["scale"] = fmt::format("{}", header.to_cube.scale);
   }
   fmt::print("{}", record_text(row, command.format));
 }

@@ -16,9 +16,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/core_options.hpp"
+#include "cli/options/core_scene_options.hpp"
 #include "cli/options/design_options.hpp"
-#include "cli/options/hierarchy_options.hpp"
-#include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
@@ -47,9 +46,8 @@ namespace hitpipe::cli {
 namespace {
 
 struct TraceCommand {
-  SceneChoice scene;
-  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
-  std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
+  CoreSceneChoice traced;
+  std::optional<std::string> bits;
   std::vector<int> rays_in_flight{128};
   RayListChoice rays;
   CoreChoice core;
@@ -88,22 +86,30 @@ struct CoreRayAnswer {
   std::uint32_t exact;
 };
 
+/// In the format that the user names. Without: n is the image's, or 20; the origins' grid is one bit finer, and S
+/// is n.
+CoreScene scene_of(const TraceCommand& command) {
+  std::optional<ref::CoreImage> stored = command.traced.stored();
+  hls::WorldBits usual;
+  if (stored) usual.coord = usual.slope = stored->header.coord_bits;
+  const std::string bits = command.bits.value_or(rtl::to_string(rtl::Format(usual)));
+  return command.traced.load(std::move(stored), rtl::parse_bits<hls::WorldBits>(bits), bits);
+}
+
 /// A scene as cores trace it: which rays, and each core's machine.
 class Tracing {
  public:
   explicit Tracing(const TraceCommand& command)
       : command_(command),
-        bits_(rtl::parse_bits<hls::WorldBits>(command.bits)),
         library_(rtl::library_called(command.library)),
-        loaded_(command.scene.load()),
-        scene_(command.scene.in_integers(loaded_, bits_, command.hierarchy)),
-        image_(ref::core_image(scene_)),
-        walking_{.world = bits_, .boxes = usual_box_format(bits_), .places = command.core.places} {
-    if (image_.header.levels > command.core.options.levels)
+        traced_(scene_of(command)),
+        walking_{.world = bits(), .boxes = usual_box_format(bits()), .places = command.core.places} {
+    const ref::CoreHeader& header = traced_.image.header;
+    if (header.levels > command.core.options.levels)
       throw std::runtime_error(fmt::format(
           "--levels {}: the scene has {} records on a path; allowed is {} to {}", command.core.options.levels,
-          image_.header.levels, image_.header.levels, rtl::CoreOptions::most_levels));
-    if (command.rays.given()) list_ = sim::read_ray_list(command.rays.file, loaded_.to_cube);
+          header.levels, header.levels, rtl::CoreOptions::most_levels));
+    if (command.rays.given()) list_ = sim::read_ray_list(command.rays.file, traced_.scene->scene.to_cube);
     if (!list_.empty()) check_parts(command, list_.size(), "rays");
   }
 
@@ -111,9 +117,9 @@ class Tracing {
     std::vector<rtl::CoreOptions> options;
     for (const int rays : command_.rays_in_flight) {
       rtl::CoreOptions& core = options.emplace_back(command_.core.core());
-      core.bits = usual_ray_format(bits_);
+      core.bits = usual_ray_format(bits());
       core.rays = rays;
-      sim::make_room(core, image_);
+      sim::make_room(core, traced_.image);
     }
     cores_ = rtl::make_cores(options, library_);
     for (const rtl::Core& core : cores_) {
@@ -128,14 +134,15 @@ class Tracing {
   [[nodiscard]] sim::PictureRays rays(host::Piece part) const {
     if (!list_.empty()) {
       const host::Piece::Range mine = part.range(list_.size());
-      return sim::listed_rays(scene_, image_, walking_, std::span(list_).subspan(mine.first, mine.size()));
+      return sim::listed_rays(traced_.scene, traced_.image, walking_,
+                              std::span(list_).subspan(mine.first, mine.size()));
     }
-    return sim::picture_rays(scene_, image_, walking_, of_picture(part));
+    return sim::picture_rays(traced_.scene, traced_.image, walking_, of_picture(part));
   }
   /// How the rays of a part are rendered.
   [[nodiscard]] ref::RenderOptions of_picture(host::Piece part) const {
-    return {.width = command_.scene.width,
-            .height = command_.scene.height,
+    return {.width = command_.traced.scene.width,
+            .height = command_.traced.scene.height,
             .tiles = part,
             .picture = !command_.pieces.piece};
   }
@@ -143,7 +150,8 @@ class Tracing {
   using Keep = std::function<void(std::span<const sim::CoreAnswer>)>;
   [[nodiscard]] sim::CoreTrace trace(std::size_t core, const sim::PictureRays& rays,
                                      const std::function<void(double)>& progress, const Keep& keep) const {
-    return sim::trace_core(cores_[core], *machines_[core], image_, rays, command_.memory, progress, keep);
+    return sim::trace_core(cores_[core], *machines_[core], traced_.image, rays, command_.memory, progress,
+                           keep);
   }
 
   /// Writes the T that the core gave, so that a wrong T shows.
@@ -151,21 +159,21 @@ class Tracing {
     const std::vector<std::string> unit{fmt::format("{}", rays_in_flight)};
     file.add(unit, list_, [&](std::size_t ray) {
       const auto& [hit, failed, exact] = answers[ray];
-      sim::Answer answer{.given = !failed, .exact = sim::meeting_of_number(scene_, list_[ray], exact)};
-      if (!failed && hit.found()) answer.found = sim::meeting_at(scene_, list_[ray], hit.triangle, hit.t);
+      sim::Answer answer{.given = !failed,
+                         .exact = sim::meeting_of_number(*traced_.scene, list_[ray], exact)};
+      if (!failed && hit.found())
+        answer.found = sim::meeting_at(*traced_.scene, list_[ray], hit.triangle, hit.t);
       return answer;
     });
   }
-  [[nodiscard]] const ref::Scene& scene() const { return loaded_; }
-  [[nodiscard]] Row mesh() const { return scene_row(scene_); }
+  [[nodiscard]] const CoreScene& traced() const { return traced_; }
 
  private:
+  [[nodiscard]] const hls::WorldBits& bits() const { return traced_.scene->bits; }
+
   const TraceCommand& command_;
-  hls::WorldBits bits_;
   rtl::Library library_;
-  ref::Scene loaded_;
-  ref::IntScene scene_;
-  ref::CoreImage image_;
+  CoreScene traced_;
   ref::CoreTracerOptions walking_;
   std::vector<sim::AskedRay> list_;
   std::vector<rtl::Core> cores_;
@@ -210,11 +218,11 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
                          std::vector<glm::vec3>& picture, std::string& scene, Row& about) {
   std::optional<Progress> progress("reading the scene");
   Tracing tracing(command);
-  scene = tracing.scene().name;
+  scene = tracing.traced().scene->scene.name;
   AnswersFile file(command.rays.answers, {"rays_in_flight"});
-  about = {{"hierarchy", command.hierarchy.text()},
+  about = {{"hierarchy", tracing.traced().hierarchy},
            {"cache", command.memory.cache_kib > 0},
-           {"mesh", tracing.mesh()}};
+           {"mesh", tracing.traced().mesh}};
   const bool draws = !command.pieces.piece && !command.out.empty();
   if (draws) {
     host::make_folder(command.out);
@@ -228,7 +236,7 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
   std::vector<CoreRun> runs;
   std::vector<std::vector<CoreRayAnswer>> answers(cores);
   std::optional<std::uint64_t> part;
-  sim::PictureRays rays;
+  std::optional<sim::PictureRays> rays;
   for (std::uint64_t i = mine.first; i < mine.end; ++i) {
     const auto show = [&](double share) {
       progress->show((static_cast<double>(i - mine.first) + share) / static_cast<double>(mine.size()));
@@ -239,23 +247,25 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
     }
     const auto keep = [&](std::span<const sim::CoreAnswer> given) {
       for (std::size_t ray = 0; file.wanted() && ray < given.size(); ++ray)
-        answers[i % cores].push_back({given[ray].hit, given[ray].failed, rays.triangles[ray]});
+        answers[i % cores].push_back({given[ray].hit, given[ray].failed, rays->triangles[ray]});
       if (!draws || i % cores + 1 != cores) return;
-      const std::vector<glm::vec3> drawn = rays.drawn(given, tracing.of_picture({*part + 1, command.parts}));
+      const std::vector<glm::vec3> drawn = rays->drawn(given, tracing.of_picture({*part + 1, command.parts}));
       picture.resize(drawn.size());
       for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) picture[pixel] += drawn[pixel];
     };
-    runs.push_back({i % cores, tracing.trace(i % cores, rays, show, keep)});
+    runs.push_back({i % cores, tracing.trace(i % cores, *rays, show, keep)});
   }
   if (file.wanted())
     for (std::size_t core = 0; core < cores; ++core)
       tracing.write(file, command.rays_in_flight[core], answers[core]);
-  file.finish(notes_of(parsed, tracing.scene()));
+  Row notes = notes_of(parsed);
+  notes.update(tracing.traced().notes);
+  file.finish(notes);
   return runs;
 }
 
 int trace_scene(TraceCommand command, const CLI::App& parsed) {
-  command.hierarchy.build.threads = command.scene.threads;
+  command.traced.hierarchy.build.threads = command.traced.scene.threads;
   command.memory.least_latency = command.latency.front();
   command.memory.most_latency = command.latency.back();
   const rtl::CoreOptions& bus = command.core.options;
@@ -265,7 +275,8 @@ int trace_scene(TraceCommand command, const CLI::App& parsed) {
     throw std::runtime_error(fmt::format("--latency {},{}: the first is the least", command.latency.front(),
                                          command.latency.back()));
   if (!command.rays.given())
-    check_parts(command, ref::tile_count({.width = command.scene.width, .height = command.scene.height}),
+    check_parts(command,
+                ref::tile_count({.width = command.traced.scene.width, .height = command.traced.scene.height}),
                 "tiles");
   std::vector<glm::vec3> picture;
   std::string scene;
@@ -278,7 +289,8 @@ int trace_scene(TraceCommand command, const CLI::App& parsed) {
     const std::vector<CoreRun> runs = run(command, parsed, {}, picture, scene, about);
     const bool right = report(runs, about, command.format);
     if (right && !command.out.empty())
-      ref::write_image(picture_file(command, scene), command.scene.width, command.scene.height, picture);
+      ref::write_image(picture_file(command, scene), command.traced.scene.width, command.traced.scene.height,
+                       picture);
     return right ? 0 : 1;
   };
   return do_work({parsed, command.pieces, command.out, runs_of(command), "runs of cores"}, piece, all);
@@ -300,16 +312,17 @@ int join(const TraceCommand& command, const CLI::App& parsed) {
 CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
   CLI::App* const command = core.add_subcommand("trace", "Trace a scene by a core, cycle by cycle");
   const auto options = std::make_shared<TraceCommand>();
-  add_scene_options(*command, options->scene);
-  add_hierarchy_options(*command, options->hierarchy, Boxes::integers);
+  const auto [scene, image] = add_core_scene_options(*command, options->traced);
   const auto number = [&](const char* name, int& value, const char* text, int least, int most) {
     command->add_option(name, value, fmt::format("{} ({} to {})", text, least, most))
         ->capture_default_str()
         ->transform(number_from(least, most))
         ->type_name("N");
   };
-  command->add_option("--bits", options->bits, "Format of the integer world, n+gsS")
-      ->capture_default_str()
+  command
+      ->add_option("--bits", options->bits,
+                   "Format of the integer world, n+gsS. With --image n is the image's, and the default n+1sn")
+      ->default_str(rtl::to_string(rtl::Format(hls::WorldBits{})))
       ->type_name("FORMAT");
   command
       ->add_option("--rays-in-flight", options->rays_in_flight,
@@ -344,8 +357,10 @@ CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
   add_pieces_options(*command, options->pieces, options->out, Output::folder,
                      "Folder for the picture that the answers make, SCENE.png; written when all are right");
   exclude_answers_of_pieces(*command);
+  needs_one_of(*command, {scene, image, command->get_option("--join")});
   add_examples(*command, {"hitpipe core trace --scene spheres --out out",
-                          "hitpipe core trace --scene terrain --rays-in-flight 32,128 --native"});
+                          "hitpipe core trace --scene terrain --rays-in-flight 32,128 --native",
+                          "hitpipe core trace --image spheres.bin --rays rays.csv --answers answers.csv"});
   command->callback([options, command, &exit_code] {
     if (options->rays.given() && !options->out.empty() && !options->pieces.any())
       throw CLI::ParseError("--rays excludes --out: the rays of a file make no picture",

@@ -78,14 +78,17 @@ ref::Scene SceneChoice::load() const {
 
 ref::Scene SceneChoice::placed(ref::SceneDescription description) const {
   ref::Scene scene = ref::place(std::move(description));
-  if (scene.to_cube.chosen)
-    if (const auto outside = ref::first_ray_outside(scene.camera, width, height))
-      throw std::runtime_error(fmt::format(
-          "--cube: ray {} of the picture begins outside; the orthographic image must begin in the cube",
-          *outside));
+  if (scene.to_cube.chosen) check_rays(scene.camera, "--cube");
   say_lost(lost_text(scene), strict);
   if (!faces.empty()) write_faces(faces, scene.mesh);
   return scene;
+}
+
+void SceneChoice::check_rays(const ref::Camera& camera, const std::string& option) const {
+  if (const auto outside = ref::first_ray_outside(camera, width, height))
+    throw std::runtime_error(
+        fmt::format("{}: ray {} of the picture begins outside; the orthographic image must begin in the cube",
+                    option, *outside));
 }
 
 ref::IntScene SceneChoice::in_integers(const ref::Scene& scene, const hls::WorldBits& bits,

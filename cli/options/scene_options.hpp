@@ -31,6 +31,9 @@ struct SceneChoice {
   /// The same scene in the integer world. Says what it loses there, and throws, likewise.
   [[nodiscard]] ref::IntScene in_integers(const ref::Scene& scene, const hls::WorldBits& bits,
                                           const ref::HierarchyOptions& hierarchy) const;
+  /// Throws std::runtime_error, one line, for a ray of the picture that begins outside a chosen cube. `option`
+  /// chose it.
+  void check_rays(const ref::Camera& camera, const std::string& option) const;
 };
 
 /// Adds --scene (required), --triangles, --eye, --target, --up, --fov, --orthographic, --perspective, --light,

@@ -55,22 +55,19 @@ void add_settings(CoreFacts& facts) {
 /// The scene and its picture as a core gets them.
 struct Traced {
   hls::WorldBits world;
-  std::unique_ptr<const ref::IntScene> scene;  ///< the picture refers to it
   ref::CoreImage image;
   sim::PictureRays picture;
 };
 
 Traced traced_in_software(const ref::Scene& scene, const hls::WorldBits& world, const CoreFacts& facts,
                           const ref::HierarchyOptions& hierarchy) {
-  auto of_integers = std::make_unique<const ref::IntScene>(ref::int_scene(scene, world, hierarchy));
+  const auto of_integers = std::make_shared<const ref::IntScene>(ref::int_scene(scene, world, hierarchy));
   ref::CoreImage image = ref::core_image(*of_integers);
-  Traced made{world, std::move(of_integers), std::move(image), {}};
-  made.picture =
-      sim::picture_rays(*made.scene, made.image,
-                        {.world = world, .boxes = usual_box_format(world), .places = CoreChoice{}.places},
-                        {.width = facts.width, .height = facts.height});
-  if (made.picture.jobs.empty()) throw std::runtime_error("its picture has no ray");
-  return made;
+  sim::PictureRays picture = sim::picture_rays(
+      of_integers, image, {.world = world, .boxes = usual_box_format(world), .places = CoreChoice{}.places},
+      {.width = facts.width, .height = facts.height});
+  if (picture.jobs.empty()) throw std::runtime_error("its picture has no ray");
+  return {world, std::move(image), std::move(picture)};
 }
 
 /// Cores that differ in rays in flight alone, and the results that they are for.

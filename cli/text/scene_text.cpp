@@ -51,10 +51,19 @@ Row scene_row(const ref::IntScene& scene) {
   return row;
 }
 
+Row image_row(const ref::IntScene& scene) {
+  return {{"triangles", scene.mesh.triangles.size()},
+          {"missing_triangles", scene.mesh.mesh.dropped.size()},
+          {"mesh_share_of_cube_pct", 100.0 * scene.scene.mesh_part}};
+}
+
 std::string summary_of(const Row& scene) {
   const auto count = [&](const char* key) { return scene.at(key).get<std::uint64_t>(); };
-  return fmt::format("{} triangles ({} without area, {} lost), {:.3g} % of the cube", count("triangles"),
-                     count("degenerate_dropped"), count("lost_to_rounding"),
+  const std::string lacks =
+      scene.contains("missing_triangles")
+          ? fmt::format("{} missing", count("missing_triangles"))
+          : fmt::format("{} without area, {} lost", count("degenerate_dropped"), count("lost_to_rounding"));
+  return fmt::format("{} triangles ({}), {:.3g} % of the cube", count("triangles"), lacks,
                      scene.at("mesh_share_of_cube_pct").get<double>());
 }
 

@@ -15,6 +15,9 @@ namespace hitpipe::cli {
 /// In the integer world; also the largest movement of a corner, in units of the cube.
 [[nodiscard]] Row scene_row(const ref::IntScene& scene);
 
+/// Of a scene from an image, which knows how many triangles of its source are missing, and not why.
+[[nodiscard]] Row image_row(const ref::IntScene& scene);
+
 /// The same in words, for a line.
 [[nodiscard]] std::string summary_of(const Row& scene);
 

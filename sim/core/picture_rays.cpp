@@ -76,44 +76,42 @@ bool has_its_numbers(const ref::IntScene& scene, const ref::TriangleNumbers& num
 }  // namespace
 
 std::uint64_t PictureRays::wrong(std::span<const CoreAnswer> answers) const {
-  const ref::TriangleNumbers numbers(scene->mesh.mesh);
+  const ref::TriangleNumbers numbers(scene_->mesh.mesh);
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const ref::Query query = jobs[i].any ? ref::Query::any : ref::Query::closest;
     const bool same = ref::same_answer(query, answers[i].hit.triangle, triangles[i]);
-    if (!same || answers[i].failed || !has_its_numbers(*scene, numbers, jobs[i], answers[i])) ++count;
+    if (!same || answers[i].failed || !has_its_numbers(*scene_, numbers, jobs[i], answers[i])) ++count;
   }
   return count;
 }
 
 std::vector<glm::vec3> PictureRays::drawn(std::span<const CoreAnswer> answers,
                                           ref::RenderOptions render) const {
-  const ReplayingTracer tracer(*scene, answers);
+  const ReplayingTracer tracer(*scene_, answers);
+  const ref::IntSurfaces surfaces(*scene_);
+  render.surfaces = &surfaces;
+  render.threads = 1;
+  return ref::render(scene_->scene, tracer, render).image;
+}
+
+PictureRays picture_rays(const std::shared_ptr<const ref::IntScene>& scene, const ref::CoreImage& image,
+                         const ref::CoreTracerOptions& options, ref::RenderOptions render) {
+  PictureRays kept(scene);
+  const RecordingTracer tracer(*scene, image, options, kept);
   const ref::IntSurfaces surfaces(*scene);
   render.surfaces = &surfaces;
   render.threads = 1;
-  return ref::render(scene->scene, tracer, render).image;
-}
-
-PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image,
-                         const ref::CoreTracerOptions& options, ref::RenderOptions render) {
-  PictureRays kept;
-  kept.scene = &scene;
-  const RecordingTracer tracer(scene, image, options, kept);
-  const ref::IntSurfaces surfaces(scene);
-  render.surfaces = &surfaces;
-  render.threads = 1;
-  const ref::RenderResult rendered = ref::render(scene.scene, tracer, render);
+  const ref::RenderResult rendered = ref::render(scene->scene, tracer, render);
   kept.work = rendered.counts.total();
   kept.restarts = tracer.restarts();
   return kept;
 }
 
-PictureRays listed_rays(const ref::IntScene& scene, const ref::CoreImage& image,
+PictureRays listed_rays(const std::shared_ptr<const ref::IntScene>& scene, const ref::CoreImage& image,
                         const ref::CoreTracerOptions& options, std::span<const AskedRay> rays) {
-  PictureRays kept;
-  kept.scene = &scene;
-  const RecordingTracer tracer(scene, image, options, kept);
+  PictureRays kept(scene);
+  const RecordingTracer tracer(*scene, image, options, kept);
   for (const AskedRay& asked : rays) {
     std::uint32_t triangle = 0;
     tracer.trace({{&asked.ray, 1}, asked.query, {&triangle, 1}}, kept.work);

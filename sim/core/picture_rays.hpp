@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -16,7 +18,8 @@
 namespace hitpipe::sim {
 
 struct PictureRays {
-  const ref::IntScene* scene = nullptr;  ///< that it shows
+  explicit PictureRays(std::shared_ptr<const ref::IntScene> scene) : scene_(std::move(scene)) {}
+
   std::vector<CoreJob> jobs;
   std::vector<std::uint32_t> triangles;  ///< by job: the number of what it hits, or IntHit::none
   ref::TraceCounts work;
@@ -28,15 +31,20 @@ struct PictureRays {
   /// The picture that right answers make, of the options with which the rays were recorded; linear.
   [[nodiscard]] std::vector<glm::vec3> drawn(std::span<const CoreAnswer> answers,
                                              ref::RenderOptions render) const;
+
+ private:
+  std::shared_ptr<const ref::IntScene> scene_;  ///< whose triangles the answers name
 };
 
 /// Renders the picture, or some of its tiles, with one thread, so the rays are in one order. `image` is of
-/// `scene`, which must outlive the result. Throws as render() and CoreTracer do.
-[[nodiscard]] PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image,
-                                       const ref::CoreTracerOptions& options, ref::RenderOptions render);
+/// `scene`. Throws as render() and CoreTracer do.
+[[nodiscard]] PictureRays picture_rays(const std::shared_ptr<const ref::IntScene>& scene,
+                                       const ref::CoreImage& image, const ref::CoreTracerOptions& options,
+                                       ref::RenderOptions render);
 
 /// The same of a list, in its order.
-[[nodiscard]] PictureRays listed_rays(const ref::IntScene& scene, const ref::CoreImage& image,
-                                      const ref::CoreTracerOptions& options, std::span<const AskedRay> rays);
+[[nodiscard]] PictureRays listed_rays(const std::shared_ptr<const ref::IntScene>& scene,
+                                      const ref::CoreImage& image, const ref::CoreTracerOptions& options,
+                                      std::span<const AskedRay> rays);
 
 }  // namespace hitpipe::sim

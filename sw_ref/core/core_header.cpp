@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "hls/world/world_format.hpp"
 #include "host/text.hpp"
 
 namespace hitpipe::ref {
@@ -81,7 +82,12 @@ CoreHeader header_of(std::span<const CoreBlock> blocks) {
         fmt::format("there are {} blocks; allowed are {}, as the header says", blocks.size(), sizes >> 32));
   if (word(blocks, checksum_word) != checksum_of(blocks))
     throw std::runtime_error("the checksum differs: the image was changed or half written");
-  CoreHeader header{.coord_bits = static_cast<int>(sizes & 0xff),
+  constexpr int least = hls::WorldBits::min_proved_coord, most = hls::WorldBits::max_coord;
+  const auto coord_bits = static_cast<int>(sizes & 0xff);
+  if (coord_bits < least || coord_bits > most)
+    throw std::runtime_error(
+        fmt::format("the header says a grid of {} bits; allowed is {} to {}", coord_bits, least, most));
+  CoreHeader header{.coord_bits = coord_bits,
                     .levels = static_cast<int>(sizes >> 8 & 0xff),
                     .triangles = static_cast<std::uint32_t>(counts),
                     .missing = static_cast<std::uint32_t>(counts >> 32)};

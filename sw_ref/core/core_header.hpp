@@ -31,7 +31,7 @@ inline constexpr std::uint32_t header_blocks = 3;
 /// Writes the header into an image whose other blocks are there, with their number and a checksum of all of them.
 void put_header(std::vector<CoreBlock>& blocks, const CoreHeader& header);
 /// Throws std::runtime_error, one line, when there is no header, when it is of another version, when the blocks are not
-/// as many as it says, and when the checksum differs.
+/// as many as it says, when the checksum differs, and when there is no such grid.
 [[nodiscard]] CoreHeader header_of(std::span<const CoreBlock> blocks);
 
 /// The file of an image: blocks in their order.

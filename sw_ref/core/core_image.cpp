@@ -1,6 +1,7 @@
 #include "sw_ref/core/core_image.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "hls/machines/block_kind.hpp"
+#include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/scene/triangle_numbers.hpp"
 
 namespace hitpipe::ref {
@@ -187,7 +189,16 @@ class ImageReader {
     const auto unused = std::find(seen_.begin(), seen_.end(), false);
     if (unused != seen_.end()) fail(unused - seen_.begin(), "nothing leads to it");
     check_header("levels", levels_, image_.header.levels);
-    check_header("triangles", triangles_, image_.header.triangles);
+    check_header("triangles", static_cast<std::int64_t>(numbers_.size()), image_.header.triangles);
+    check_numbers();
+    const Normalisation& to_cube = image_.header.to_cube;
+    const glm::dvec3& offset = to_cube.offset;
+    if (!std::isfinite(offset.x + offset.y + offset.z) || !std::isfinite(to_cube.scale) ||
+        !(to_cube.scale > 0.0))
+      throw std::runtime_error(
+          fmt::format("the header has the offset ({}, {}, {}) and the scale {}; allowed are finite numbers, "
+                      "and a scale above 0",
+                      offset.x, offset.y, offset.z, to_cube.scale));
     return std::move(image_);
   }
 
@@ -199,6 +210,17 @@ class ImageReader {
     if (counted != said)
       throw std::runtime_error(
           fmt::format("the image has {} {}, but its header says {}", counted, what, said));
+  }
+  void check_numbers() {
+    std::sort(numbers_.begin(), numbers_.end());
+    const auto twice = std::adjacent_find(numbers_.begin(), numbers_.end());
+    if (twice != numbers_.end())
+      throw std::runtime_error(fmt::format("two triangles of the image have the number {}", *twice));
+    const std::uint64_t in_source = std::uint64_t{image_.header.triangles} + image_.header.missing;
+    if (!numbers_.empty() && numbers_.back() >= in_source)
+      throw std::runtime_error(
+          fmt::format("the image has a triangle {}, but its header says that the mesh has {} triangles",
+                      numbers_.back(), in_source));
   }
   void take(std::uint64_t block, std::uint32_t from, hls::BlockKind kind) {
     if (block >= seen_.size()) fail(from, "a child lies outside the image");
@@ -234,15 +256,19 @@ class ImageReader {
   void check_triangle(std::uint32_t block, const IntBox& box) {
     const CoreTriangle triangle = triangle_of(image_.blocks[block]);
     if (triangle.number == IntHit::none) fail(block, "a triangle with the number of none");
-    if (!holds(box, box_of(triangle.triangle)))
-      fail(block, "its leaf's box does not hold the triangle whole");
-    ++triangles_;
+    const IntBox own = box_of(triangle.triangle);
+    if (!holds(box, own)) fail(block, "its leaf's box does not hold the triangle whole");
+    const auto most = static_cast<std::int32_t>(grid_scale(image_.header.coord_bits));
+    if (!holds({{-most, -most, -most}, {most, most, most}}, own))
+      fail(block, "a corner lies outside the cube");
+    if (is_degenerate(triangle.triangle)) fail(block, "a triangle without area");
+    numbers_.push_back(triangle.number);
   }
 
   CoreImage image_;
   std::vector<bool> seen_;
   int levels_ = 0;
-  std::uint32_t triangles_ = 0;
+  std::vector<std::uint32_t> numbers_;
 };
 
 }  // namespace

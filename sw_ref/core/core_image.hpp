@@ -60,7 +60,7 @@ struct CoreImage {
 /// header_of() does, and when the header does not tell the truth. It also throws, and names the block, when a
 /// child lies outside, a block is of another kind or another grid, is reached twice or never, the boxes of a leaf do
 /// not hold its triangles whole, a record's boxes are not the common box that its parent promises, a triangle has no
-/// number, or a path is too long.
+/// number, another's, no area or a corner outside the cube, or a path is too long.
 [[nodiscard]] CoreImage checked_image(std::vector<CoreBlock> blocks);
 
 }  // namespace hitpipe::ref

@@ -107,30 +107,37 @@ void check_distances(const SceneDescription& scene, const Bounds& box, const Nor
       blamed, part, smallest_mesh_part));
 }
 
-/// A cube that is chosen must hold what rays begin at.
-void check_inside(const SceneDescription& scene, const Bounds& box) {
-  const CubeChoice& cube = *scene.cube;
-  const auto inside = [&](const glm::dvec3& point, double sides) {
-    const glm::dvec3 p = glm::abs(point - cube.centre) / cube.half;
-    return p.x <= sides && p.y <= sides && p.z <= sides;
-  };
-  const std::string where = fmt::format("cube of {} around {}", cube.half, text(cube.centre));
-  if (!inside(box.min, 1.0) || !inside(box.max, 1.0))
-    reject(fmt::format("{}: the mesh reaches from {} to {}; all of it must lie in the cube", where,
-                       text(box.min), text(box.max)));
-  if (!inside(scene.eye, 1.0))
-    reject(fmt::format("{}: ray 0 of the picture begins at the eye {}; rays must begin in the cube", where,
-                       text(scene.eye)));
+/// Whether the point lies in a cube of so many times the side.
+bool inside(const glm::dvec3& point, const Normalisation& fit, double sides) {
+  constexpr double rounded = 0x1p-26;  // a point this far outside is on the cube in binary32
+  const double most = cube_bound * sides + rounded;
+  const glm::dvec3 p = glm::abs(fit.to_cube(point));
+  return p.x <= most && p.y <= most && p.z <= most;
+}
+
+std::string text(const CubeChoice& cube) {
+  return fmt::format("cube of {} around {}", cube.half, text(cube.centre));
+}
+
+/// A cube that is given must hold what rays begin at.
+void check_inside(const SceneDescription& scene, const CubeChoice& cube, const Normalisation& fit) {
+  if (!inside(scene.eye, fit, 1.0))
+    reject(fmt::format("{}: ray 0 of the picture begins at the eye {}; rays must begin in the cube",
+                       text(cube), text(scene.eye)));
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (scene.lights[i].kind == LightKind::point && !inside(scene.lights[i].position, farthest_light))
-      reject(fmt::format("{}: light {} lies at {}; allowed is up to 2^20 times as far from its middle", where,
-                         i, text(scene.lights[i].position)));
+    if (scene.lights[i].kind == LightKind::point && !inside(scene.lights[i].position, fit, farthest_light))
+      reject(fmt::format("{}: light {} lies at {}; allowed is up to 2^20 times as far from its middle",
+                         text(cube), i, text(scene.lights[i].position)));
 }
 
 Normalisation fit(const SceneDescription& scene, const Bounds& box) {
   if (scene.cube) {
-    check_inside(scene, box);
-    return {scene.cube->centre, cube_bound / scene.cube->half, true};
+    const Normalisation chosen{scene.cube->centre, cube_bound / scene.cube->half, true};
+    if (!inside(box.min, chosen, 1.0) || !inside(box.max, chosen, 1.0))
+      reject(fmt::format("{}: the mesh reaches from {} to {}; all of it must lie in the cube",
+                         text(*scene.cube), text(box.min), text(box.max)));
+    check_inside(scene, *scene.cube, chosen);
+    return chosen;
   }
   std::vector<glm::dvec3> points{scene.eye};
   for (const LightSource& light : scene.lights)
@@ -199,6 +206,26 @@ SceneDescription describe(const std::string& name_or_path, std::optional<std::si
   return mesh_scene(std::move(mesh), path.stem().string(), groups);
 }
 
+void check(const SceneDescription& scene) {
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene.materials[i], i);
+  check_camera(scene);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) check_light(scene.lights[i], i);
+}
+
+/// All but the mesh.
+Scene placed(SceneDescription& description, const Bounds& box, const Normalisation& to_cube) {
+  Scene scene;
+  scene.to_cube = to_cube;
+  scene.mesh_part = box.longest() * to_cube.scale / (2.0 * cube_bound);
+  scene.camera = camera(description, to_cube);
+  for (const LightSource& light : description.lights)
+    scene.lights.push_back({place_of(light, to_cube), glm::vec3(light.intensity), light.kind});
+  scene.name = std::move(description.name);
+  scene.stand_in_for = std::move(description.stand_in_for);
+  scene.materials = std::move(description.materials);
+  return scene;
+}
+
 }  // namespace
 
 SceneDescription as_source(BuiltInDescription made) {
@@ -217,26 +244,24 @@ SceneDescription as_source(BuiltInDescription made) {
 }
 
 Scene place(SceneDescription description) {
-  for (std::size_t i = 0; i < description.materials.size(); ++i) check_material(description.materials[i], i);
-  check_camera(description);
-  for (std::size_t i = 0; i < description.lights.size(); ++i) check_light(description.lights[i], i);
+  check(description);
   const Bounds box = mesh_bounds(description.mesh);
-  Scene scene;
-  scene.to_cube = fit(description, box);
-  scene.mesh_part = box.longest() * scene.to_cube.scale / (2.0 * cube_bound);
-  check_distances(description, box, scene.to_cube);
-  scene.camera = camera(description, scene.to_cube);
-  for (const LightSource& light : description.lights)
-    scene.lights.push_back({place_of(light, scene.to_cube), glm::vec3(light.intensity), light.kind});
-  scene.name = std::move(description.name);
-  scene.stand_in_for = std::move(description.stand_in_for);
-  scene.materials = std::move(description.materials);
+  const Normalisation to_cube = fit(description, box);
+  check_distances(description, box, to_cube);
+  Scene scene = placed(description, box, to_cube);
   scene.mesh = normalise(std::move(description.mesh), scene.to_cube, scene.lost);
   return scene;
 }
 
-SceneDescription describe_scene(const std::string& name_or_path, const SceneOptions& options) {
-  SceneDescription description = describe(name_or_path, options.triangles);
+Scene place_in(SceneDescription description, const Normalisation& to_cube, Mesh mesh) {
+  check(description);
+  check_inside(description, {to_cube.offset, cube_bound / to_cube.scale}, to_cube);
+  Scene scene = placed(description, mesh_bounds(description.mesh), {to_cube.offset, to_cube.scale, true});
+  scene.mesh = std::move(mesh);
+  return scene;
+}
+
+SceneDescription with_options(SceneDescription description, const SceneOptions& options) {
   description.eye = options.eye.value_or(description.eye);
   description.target = options.target.value_or(description.target);
   description.up = options.up.value_or(description.up);
@@ -245,6 +270,10 @@ SceneDescription describe_scene(const std::string& name_or_path, const SceneOpti
   if (!options.lights.empty()) description.lights = options.lights;
   if (options.cube) description.cube = options.cube;
   return description;
+}
+
+SceneDescription describe_scene(const std::string& name_or_path, const SceneOptions& options) {
+  return with_options(describe(name_or_path, options.triangles), options);
 }
 
 Scene load_scene(const std::string& name_or_path, const SceneOptions& options) {

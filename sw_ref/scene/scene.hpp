@@ -120,6 +120,13 @@ constexpr double farthest_light = 0x1p20;
 /// outside, up to farthest_light times half a side.
 [[nodiscard]] Scene place(SceneDescription description);
 
+/// The same for a mesh that is in its cube already. `mesh` is that of the description, where it lies there. The
+/// cube is as one that the description chooses. Throws as place() does for materials, camera and lights.
+[[nodiscard]] Scene place_in(SceneDescription description, const Normalisation& to_cube, Mesh mesh);
+
+/// The description with these placings in place of its own.
+[[nodiscard]] SceneDescription with_options(SceneDescription description, const SceneOptions& options);
+
 /// Reads the input of place(): a built-in scene by name, or a scene file (.json) or mesh file by path. A mesh
 /// file gets a camera and two lights chosen from its bounds. Throws std::runtime_error, one line, for an
 /// unknown name, for a number of triangles that the scene cannot have, and as load_mesh() and

@@ -101,6 +101,16 @@ TEST_F(WrongUseOf, LongWords) {
                                                    cut + "\n");
 }
 
+TEST_F(WrongUseOf, AnImageInPlaceOfAScene) {
+  rejected(
+      {{"core trace --image a --scene spheres", "--image excludes --scene: the image has its triangles;"},
+       {"core trace --image a --cube 0,0,0,1",
+        "--image excludes --cube: the image has its triangles and its cube;"},
+       {"core board --port x --image a --builder sah",
+        "--image excludes --builder: the image has its hierarchy;"},
+       {"core board --simulate --image a", "--simulate excludes --image: the other side has the scene;"}});
+}
+
 TEST_F(WrongUseOf, OptionsThatExcludeEachOther) {
   rejected({{"cosim int_slabs --scene spheres --bits 9/9 --unit DIR",
              "--unit excludes --bits: the unit in the folder has its own, which its manifest says;"},
@@ -338,7 +348,9 @@ TEST_F(WrongUseOf, Words) {
        {"table --judge 4.2 --out page.txt", "--out: page.txt does not end in .md;"},
        {"table 4.1 --scene Bunny", "--scene: Bunny is not NAME=SCENE; give for example Bunny=bunny.ply;"},
        {"board int_slabs", "--port or --simulate is required;"},
-       {"core board --port x", "--port requires --scene;"},
+       {"core board --port x", "--port requires --scene or --image;"},
+       {"core trace", "--scene or --image or --join is required;"},
+       {"core trace --image ''", "--image: is empty; give the name of a file;"},
        {"core board --simulate --scene spheres",
         "--simulate excludes --scene: the other side has the scene;"},
        {"core",

@@ -142,6 +142,22 @@ TEST(BoardCommand, TracesAPictureByACore) {
   EXPECT_GT(json["hits"], 10);
   EXPECT_TRUE(std::filesystem::exists(out + "/waves.png"));
 
+  const std::string image = (folder.path() / "waves.bin").string();
+  EXPECT_EQ(run_hitpipe({"core", "image", "--scene", "waves", "--bits", "8+0s8", "--triangles", "1000",
+                         "--out", image})
+                .exit_code,
+            0);
+  const std::vector<std::string> of_image{"core",     "board", "--port",   program.port(),
+                                          "--image",  image,   "--width",  "8",
+                                          "--height", "8",     "--format", "json"};
+  const Outcome again = run_hitpipe(with(of_image, {"--bits", "8+0/5s8"}));
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  const auto row = nlohmann::json::parse(again.out);
+  EXPECT_EQ(row["wrong"], 0);
+  EXPECT_GT(row["hits"], 10);
+  EXPECT_EQ(row["image"], image);
+  EXPECT_EQ(row["blocks"], json["blocks"]);
+
   const Outcome large = trace({"--bits", "8+0/5s8", "--triangles", "20000"});
   EXPECT_EQ(large.exit_code, 2);
   EXPECT_THAT(large.err,

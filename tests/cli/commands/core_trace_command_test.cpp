@@ -119,6 +119,120 @@ TEST(TraceCommand, TracesTheRaysOfAFile) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
 }
 
+/// A mesh and its image.
+class TraceOfAnImage : public testing::Test {
+ protected:
+  void SetUp() override {
+    // Four walls, and among them a triangle without area.
+    folder_.write("walls.obj",
+                  "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nv 1 1 1\n"
+                  "f 1 2 3\nf 2 2 3\nf 1 3 4\nf 1 4 2\nf 5 2 3\n");
+    folder_.write("rays.csv",
+                  "ox,oy,oz,dx,dy,dz,any\n1.5,1,2,-1,-0.5,-2,0\n0.5,0.5,2,0,0,-1,1\n1,1,2,0,0,1,0\n"
+                  "1.5,1,2,-1,-1.2,-1.7,0\n");
+    printed("core image --scene " + file("walls.obj") + placing_ + " --out " + image_);
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
+  /// What the core says of the mesh, or of its image.
+  std::string traced(const std::string& what, const std::string& more) const {
+    return printed("core trace --native --rays-in-flight 4 " + what + more);
+  }
+  [[nodiscard]] Outcome refused(const std::string& words) const {
+    Outcome outcome = hitpipe("core trace --native " + words);
+    EXPECT_EQ(outcome.exit_code, 2) << words;
+    EXPECT_EQ(outcome.out, "") << words;
+    return outcome;
+  }
+
+  const std::string placing_ = " --eye 1.5,1,3 --target 0.5,0.5,0 --light 1,2,3";
+  const sim::TemporaryFolder folder_;
+  const std::string image_ = file("walls.bin");
+  const std::string scene_words_ = "--scene " + file("walls.obj") + placing_;
+  const std::string image_words_ = "--image " + image_;
+};
+
+TEST_F(TraceOfAnImage, MakesThePictureOfTheScene) {
+  const std::string more = " --width 16 --height 16 --format json --out ";
+  auto of_scene = nlohmann::json::parse(traced(scene_words_, more + file("scene"))).at(0);
+  auto of_image = nlohmann::json::parse(traced(image_words_ + placing_, more + file("image"))).at(0);
+  EXPECT_EQ(contents_of(file("scene/walls.png")), contents_of(file("image/walls.png")));
+  EXPECT_EQ(of_image.at("triangles"), 4);
+  EXPECT_EQ(of_image.at("missing_triangles"), 1);
+  EXPECT_GT(of_image.at("rays"), 256) << "some see a light";
+  for (const auto& [key, value] : of_scene.items()) {
+    if (of_image.contains(key) && key != "mesh_share_of_cube_pct") {
+      EXPECT_EQ(of_image.at(key), value) << key;
+    }
+  }
+}
+
+TEST_F(TraceOfAnImage, AnswersTheRaysOfAFile) {
+  const std::string more = " --rays " + file("rays.csv") + " --answers ";
+  traced(scene_words_, more + file("scene.csv"));
+  const std::string said = traced(image_words_, more + file("image.csv"));
+  EXPECT_EQ(contents_of(file("scene.csv")), contents_of(file("image.csv")));
+  EXPECT_THAT(contents_of(file("image.csv")), HasSubstr("nearest,1,3,3,"));
+  EXPECT_THAT(said, HasSubstr("hierarchy: that of the image\nscene: 4 triangles (1 missing), "));
+  const auto notes = nlohmann::json::parse(contents_of(file("image.csv-metadata.json"))).at("notes").at(0);
+  EXPECT_THAT(notes.at("command"), HasSubstr("--image " + image_));
+  EXPECT_EQ(notes.at("mesh").at("missing_triangles"), 1);
+}
+
+TEST_F(TraceOfAnImage, HasACameraAndTheGridOfTheImage) {
+  printed("core image --scene " + file("walls.obj") + " --bits 16+0s12 --out " + image_);
+  const auto row = nlohmann::json::parse(traced(image_words_, " --width 16 --height 16 --format json")).at(0);
+  EXPECT_EQ(row.at("wrong"), 0);
+  EXPECT_GT(row.at("rays"), 256);
+  traced(image_words_, " --width 16 --height 16 --bits 16+2s20");
+  EXPECT_EQ(refused(image_words_ + " --bits 20+1s20").err,
+            "hitpipe: --bits 20+1s20: the image has a grid of 16 bits; allowed are formats that begin with "
+            "16+\n");
+}
+
+TEST_F(TraceOfAnImage, RefusesRaysThatBeginOutsideItsCube) {
+  EXPECT_THAT(
+      refused(image_words_ + " --eye 1,1,9").err,
+      testing::MatchesRegex("hitpipe: cube of [^\n]*: ray 0 of the picture begins at the eye \\(1, 1, "
+                            "9\\); rays must begin in the cube\n"));
+  EXPECT_EQ(refused(image_words_ + placing_ + " --orthographic --fov 170").err,
+            "hitpipe: --image: ray 0 of the picture begins outside; the orthographic image must begin in the "
+            "cube\n");
+  folder_.write("far.csv", "ox,oy,oz,dx,dy,dz\n0,0,9,0,0,-1\n");
+  EXPECT_EQ(refused(image_words_ + " --rays " + file("far.csv")).err,
+            "hitpipe: " + file("far.csv") +
+                ": line 2: oz 9 lies outside the cube; a chosen cube must hold all origins\n");
+}
+
+TEST_F(TraceOfAnImage, RefusesWhatIsNone) {
+  std::string bytes = contents_of(image_);
+  bytes.at(170) ^= 1;
+  folder_.write("walls.bin", bytes);
+  EXPECT_EQ(refused(image_words_).err,
+            "hitpipe: " + image_ + ": the checksum differs: the image was changed or half written\n");
+  EXPECT_EQ(
+      refused("--image " + file("walls.obj")).err.find("hitpipe: " + file("walls.obj") + ": there are "), 0U);
+  EXPECT_EQ(refused("--image " + file("none.bin")).err,
+            "hitpipe: " + file("none.bin") + ": cannot read the file\n");
+  printed("core image --scene spheres --out " + image_);
+  EXPECT_THAT(refused(image_words_ + " --levels 3").err, HasSubstr("--levels 3: the scene has "));
+}
+
+TEST_F(TraceOfAnImage, IsCutIntoPieces) {
+  const std::string work =
+      "core trace --native --rays-in-flight 2,4 " + image_words_ + " --width 8 --height 8";
+  for (const std::string piece : {"1", "2"})
+    printed(work + " --piece " + piece + "/2 --out " + file(piece + ".json"));
+  const std::string join = "core trace --join " + file("1.json") + " " + file("2.json");
+  EXPECT_EQ(printed(join), printed(work));
+  // The second piece is made again, of another image.
+  printed("core image --scene " + file("walls.obj") + " --out " + image_);
+  std::filesystem::remove(file("2.json"));
+  printed(work + " --piece 2/2 --out " + file("2.json"));
+  const Outcome outcome = hitpipe(join);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr(image_));
+}
+
 TEST(TraceCommand, RefusesWhatItCannotDo) {
   const auto refused = [](const std::vector<std::string>& more) {
     const Outcome outcome = run_hitpipe(words(more));

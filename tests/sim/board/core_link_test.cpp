@@ -3,6 +3,8 @@
 // not fit.
 #include "sim/board/core_link.hpp"
 
+#include <memory>
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -45,19 +47,14 @@ const rtl::Core& small_core() {
 
 /// The hills, their image, and the rays of a small picture with what software answers.
 struct Picture {
-  Picture() {
-    const hls::RayBits& bits = small_core().options.bits;
-    world = ref::int_scene(scene, bits.world(), {.build = ref::surface_area_build});
-    image = ref::core_image(world);
-    rays = picture_rays(
-        world, image,
-        {.world = bits.world(), .boxes = bits.boxes(), .places = 1 << small_core().options.stack_bits},
-        {.width = 12, .height = 12});
-  }
-  ref::Scene scene = hills();
-  ref::IntScene world;
-  ref::CoreImage image;
-  PictureRays rays;
+  hls::RayBits bits = small_core().options.bits;
+  std::shared_ptr<const ref::IntScene> scene = std::make_shared<const ref::IntScene>(
+      ref::int_scene(hills(), bits.world(), {.build = ref::surface_area_build}));
+  ref::CoreImage image = ref::core_image(*scene);
+  PictureRays rays = picture_rays(
+      scene, image,
+      {.world = bits.world(), .boxes = bits.boxes(), .places = 1 << small_core().options.stack_bits},
+      {.width = 12, .height = 12});
 };
 const Picture& picture() {
   static const Picture made;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,14 +31,15 @@ const hls::MajorBits boxes{12, 1, 7, 0, 12};
 const hls::RayBits bits{12, 1, 7, 0, 12, 0};
 
 struct Picture {
-  ref::IntScene scene;
+  std::shared_ptr<const ref::IntScene> scene;
   ref::CoreImage image;
   PictureRays rays;
 
   explicit Picture(int places, int size = 48, const hls::WorldBits& of = world,
                    const hls::MajorBits& with = boxes)
-      : scene(ref::int_scene(hills(), of, {.build = {.builder = ref::Builder::sah, .max_triangles = 2}})),
-        image(ref::core_image(scene)),
+      : scene(std::make_shared<const ref::IntScene>(
+            ref::int_scene(hills(), of, {.build = {.builder = ref::Builder::sah, .max_triangles = 2}}))),
+        image(ref::core_image(*scene)),
         rays(picture_rays(scene, image, {of, with, places}, {.width = size, .height = size})) {}
 };
 
@@ -102,7 +104,7 @@ void expect_right(const Picture& picture, const CoreBench& bench, const std::vec
     any += job.any ? 1 : 0;
     if (job.any || !answers[i].hit.found()) continue;
     const auto crossing = ref::int_crossing(ref::int_ray(job.ray, world),
-                                            picture.scene.mesh.triangles[picture.rays.triangles[i]], world);
+                                            picture.scene->mesh.triangles[picture.rays.triangles[i]], world);
     ASSERT_TRUE(crossing);
     ASSERT_EQ(answers[i].hit.t, crossing->t) << "ray " << i;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -224,6 +225,20 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"NoNumber",
                [](auto& b) { change_triangle(b, [](CoreTriangle& last) { last.number = IntHit::none; }); },
                differs, "a triangle with the number of none"},
+        Damage{"NumberOfAnother",
+               [](auto& b) {
+                 change_triangle(b, [&](CoreTriangle& last) { last.number = last.number == 0 ? 1 : 0; });
+               },
+               differs, "two triangles of the image have the number "},
+        Damage{"NumberOfNoTriangle",
+               [](auto& b) { change_triangle(b, [](CoreTriangle& last) { last.number = 288; }); }, differs,
+               "the image has a triangle 288, but its header says that the mesh has 288 triangles"},
+        Damage{"NoArea",
+               [](auto& b) {
+                 change_triangle(
+                     b, [](CoreTriangle& last) { last.triangle.corners[0] = last.triangle.corners[1]; });
+               },
+               differs, "a triangle without area"},
         Damage{"WideBox",
                [](auto& b) { change_record(b, top, [](CoreRecord& r) { r.boxes.planes.max[0] = 262'143; }); },
                differs, "a child's box is not inside its parent's"}),
@@ -246,6 +261,22 @@ TEST(CoreHeader, IsRefusedWhenItDoesNotTellTheTruth) {
   header = image.header;
   header.coord_bits = 19;
   expect_refused(with(header), "block 0 of the image: it is no record of this grid");
+  header.coord_bits = 25;
+  expect_refused(with(header), "the header says a grid of 25 bits; allowed is 4 to 24");
+  header = image.header;
+  header.to_cube.scale = 0;
+  expect_refused(with(header), "and the scale 0; allowed are finite numbers, and a scale above 0");
+  header.to_cube = {.offset = {0, std::numeric_limits<double>::infinity(), 0}};
+  expect_refused(with(header), "the header has the offset (0, inf, 0) and the scale 1; allowed");
+}
+
+/// Larger than what it holds, so a corner of the image is outside its cube.
+TEST(CoreImage, IsRefusedWithACornerOutsideItsCube) {
+  IntScene scene = hills_in({}, 2);
+  for (IntTriangle& triangle : scene.mesh.triangles)
+    for (auto& corner : triangle.corners)
+      for (std::int32_t& x : corner) x *= 2;
+  expect_refused(core_image(scene).blocks, "a corner lies outside the cube");
 }
 
 }  // namespace
