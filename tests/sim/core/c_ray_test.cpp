@@ -187,5 +187,52 @@ TEST(CRayFaults, AreSeen) {
     EXPECT_TRUE(printed(rtl::replaced(header, good, bad), tried, "-w") != right) << good << " is " << bad;
 }
 
+/// A ray in the mesh's own units, and its hit: as in the cube, where the same lengths have other numbers.
+TEST(CMeshRay, TakesTheMeshsOwnUnits) {
+  constexpr const char* compares = R"(#include "core.h"
+#include <math.h>
+#include <stdio.h>
+static bool same(const struct core_ray* a, const struct core_ray* b) {
+  uint8_t bytes_a[CORE_RAY_BYTES], bytes_b[CORE_RAY_BYTES];
+  core_pack_ray(bytes_a, a);
+  core_pack_ray(bytes_b, b);
+  return memcmp(bytes_a, bytes_b, CORE_RAY_BYTES) == 0;
+}
+int main(void) {
+  struct core_image image = {0};
+  image.offset[0] = 10, image.offset[1] = -20, image.offset[2] = 30.5, image.scale = 0.125;
+  const double own[3] = {12, -26, 30};
+  const float cube[3] = {0.25f, -0.75f, -0.0625f}, direction[3] = {0.6f, -0.8f, 0.1f};
+  struct core_ray mesh_ray, cube_ray;
+  if (!core_make_mesh_ray(&mesh_ray, &image, own, direction, 8) || !core_make_ray(&cube_ray, cube, direction, 1))
+    return 1;
+  if (!same(&mesh_ray, &cube_ray)) return 2;
+  if (!core_make_mesh_ray(&mesh_ray, &image, own, direction, INFINITY) ||
+      !core_make_ray(&cube_ray, cube, direction, INFINITY) || !same(&mesh_ray, &cube_ray))
+    return 3;
+  const double outside[3] = {12, -29, 30};
+  if (core_make_mesh_ray(&mesh_ray, &image, outside, direction, 8)) return 4;
+  struct core_hit hit = {0};
+  hit.t = CORE_T_ONE / 2;
+  if (core_mesh_distance(&hit, &image, direction) != 8 * core_distance(&hit, direction)) return 5;
+  if (fabs(core_mesh_distance(&hit, &image, direction) - 4 / 0.8) > 1e-4) return 6;
+  for (hit.failed = 0; hit.failed < 7; ++hit.failed) printf("%s\n", core_why(&hit));
+  return 0;
+}
+)";
+  for (const rtl::Door door : {rtl::Door::integer, rtl::Door::binary32}) {
+    const rtl::Core core = rtl::make_core({.bits = {16, 1, 9, 0, 16, 0}, .door = door},
+                                          rtl::library_called(rtl::default_library), "core");
+    const host::ScratchFolder folder("c-mesh-ray");
+    host::write_files(folder.path(), {{"core.h", rtl::c_header(core)}, {"main.c", compares}});
+    const rtl::ToolResult built = rtl::run_tool(
+        folder.path(), "gcc", "cc", "-std=c99 -Wall -Wextra -Wpedantic -Werror main.c -o main -lm");
+    ASSERT_EQ(built.status, 0) << built.output;
+    const rtl::ToolResult ran = rtl::run_tool(folder.path(), "main", "./main", "");
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_EQ(ran.output, fmt::format("{}\nit is no answer\n", fmt::join(hls::failure_texts, "\n")));
+  }
+}
+
 }  // namespace
 }  // namespace hitpipe::sim::c_ray_test

@@ -328,6 +328,29 @@ struct Answered {
   }
 };
 
+/// Each ray tests all of them before it has an answer.
+TEST(CoreBench, WaitsForManyTrianglesInOnePlace) {
+  ref::Scene heap = hills();
+  const glm::uvec3 first = heap.mesh.triangles.front();
+  heap.mesh.triangles.assign(3'000, first);
+  heap.mesh.materials.clear();
+  const auto scene =
+      std::make_shared<const ref::IntScene>(ref::int_scene(heap, world, {.build = {.max_triangles = 2}}));
+  const ref::CoreImage image = ref::core_image(*scene);
+  const ref::Mesh::Corners corners = scene->mesh.mesh.corners(0);
+  const glm::vec3 middle = (corners.a + corners.b + corners.c) / 3.0F, eye{0, 0.9F, 0};
+  const std::vector<AskedRay> asked(64, AskedRay{.ray = {.origin = eye, .direction = middle - eye}});
+  const PictureRays rays = listed_rays(scene, image, {world, boxes, 8}, asked);
+  const rtl::Core core = rtl::make_core(options_of(64, 3), library());
+  NativeCore native(core);
+  CoreBench bench(core, native, image, {.least_latency = 20, .most_latency = 20});
+  std::vector<CoreAnswer> answers(rays.jobs.size());
+  bench.run(rays.jobs, answers);
+  EXPECT_EQ(rays.wrong(answers), 0U);
+  EXPECT_EQ(answers.front().hit.triangle, 0U) << "of equal ones the first";
+  EXPECT_EQ(bench.counts().triangles, 64U * 3'000);
+}
+
 class CoreWithADamagedImage : public testing::Test {
  protected:
   const Picture picture_{8, 4};
