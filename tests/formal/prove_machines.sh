@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Proves properties of machines with yosys and z3, by induction, for two or four rays: prove_machines.sh HITPIPE FOLDER
 # tests/formal/machines/NAME.v has the properties of a machine, as text inside its module; NAME_FORMAT.v is text before
-# it, of one format. Prints a table of machine, format, result, seconds; false when anything was not proved, or when
+# it, of one format. Two machines may include a text. A product may be any number. Prints a table of machine, format, result, seconds; false when anything was not proved, or when
 # damage was not found.
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/proofs.sh"
@@ -27,7 +27,7 @@ properties() {
     cat "${texts[@]}"
     echo endmodule
   } >>"$name.v"
-  yosys -q -p "read_verilog -formal $name.v; prep -top $name; memory_map; opt_clean; write_smt2 -wires $name.smt2" >"$name.log" 2>&1
+  yosys -q -p "read_verilog -formal -I$formal/machines $name.v; prep -top $name; cutpoint t:\$mul; memory_map; opt_clean; write_smt2 -wires $name.smt2" >"$name.log" 2>&1
 }
 
 solve() {
@@ -79,10 +79,15 @@ machine beats d512i1 'a block a request, in order, its half' 's/askers_word\[2\]
 machine divider 8+0s8i1 'each hit is compared once' 's/wire loads = .*;/wire loads = there \& ~divides;/'
 machine best_hits t4c1d4i1 'an answer is the best of its hits' 's/improves = divided_1 & closer_1/improves = divided_1/'
 machine weights d25e25t4g1i1 'an answer has its best hit' 's/best_det\[ray_wanted\]/best_det[ray]/'
+machine registers a4h9i1c3 'each access once, what was written' \
+  's/offers_requests <= next_offers_requests_value/offers_requests <= 1/'
+machine scene_memory a4i1 'a block a request, as written' "s/free = count == /free = 1'b1 | count == /"
 machine read_meter i1c3n3 'a read as long as it took' 's/came <= read_valid/came <= read_valid | came/'
 machine pair_feed 8+0/4a4i1 'a record once, with its ray' 's/intervals\[read_id\[0\]\]/intervals[ray_1]/'
 machine triangle_feed 8+0s8i1 'a triangle once, with its ray' \
   's/next_ready_value = there & ~taken/next_ready_value = there/'
+machine serial_triangle 8+0s8i1 'a triangle once, in bounded time' \
+  's/compares <= last/compares <= last \& best[0]/' 18
 # A restart that forgets what is done.
 machine walker d4a4l4k1i1 'a walk is that of its ray alone' \
   's/trail_2_value_mux = pops ? sum\[3:0\]/& \& {4{~next_some_2_value_eq}}/' 18
