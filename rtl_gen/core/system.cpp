@@ -16,7 +16,7 @@ namespace hitpipe::rtl {
 namespace {
 
 /// core_module stands for the name of the core's module. The core's options say what stands for RAY_FIELDS,
-/// IDS_ASKED, IDS_SHOWN and SPOIL.
+/// IDS_ASKED, IDS_SHOWN, SPOIL and WEIGHTS_....
 constexpr std::string_view program =
     R"(// A small system: core_module_axi, a memory with a random latency, and a host. It loads the image and the rays
 // of core_module_scene.txt, sends the rays, and compares every answer. Then it damages image, memory, rays and
@@ -64,8 +64,8 @@ void get_bytes(const Port& port, uint8_t* bytes, size_t count) {
 struct Ray {
   core_ray ray;
   uint64_t number, t;  // of the nearest triangle; of any hit only whether there is one is compared
-};
-
+WEIGHTS_WANTED};
+WEIGHTS_COMPARED
 class System {
  public:
   using Block = std::array<uint8_t, CORE_BLOCK_BYTES>;
@@ -73,6 +73,7 @@ class System {
   uint64_t first_block = 4;  // where the image is
   unsigned errors = 0;       // of 64 reads are errors
   unsigned slowest = 60;     // cycles that a read may take
+  uint64_t errors_given = 0;
   Vcore_module_axi top;
 
   System() { reset(); }
@@ -150,6 +151,7 @@ IDS_ASKED    }
     put_bytes(top.m_axi_rdata, bytes.data(), bytes.size());
     top.m_axi_rlast = read.beats + 1 == beats;
     top.m_axi_rresp = read.is_error && read.beats == 0 ? 2 : 0;
+    errors_given += top.m_axi_rresp != 0;
 IDS_SHOWN  }
   // What is offered stays until it is taken.
   void check_offers() {
@@ -206,10 +208,12 @@ class Host {
       if (cycle(count, why, spoils)) silent = 0;
     }
     quiet();
-    if ((failed != 0) != (why != 0)) fail("rays that have failed:", failed);
+    // A very small image has few rays that come to what is wrong.
+    if (why != 0 && failed == 0 && blocks_ > 100) fail("no ray has failed for", why);
     uint32_t status = CORE_IDLE;
-    if (why != 0) status |= CORE_FAILED(why);
-    if (system_.errors != 0) status |= CORE_BUS_ERROR;
+    if (failed != 0) status |= CORE_FAILED(why);
+    if (system_.errors_given != 0) status |= CORE_BUS_ERROR;
+    system_.errors_given = 0;
     if (system_.read(CORE_REG_STATUS) != status) fail("the status, register", CORE_REG_STATUS);
     if (system_.counter(CORE_COUNT_RAYS) != count) fail("the counter of rays, register", CORE_COUNT_RAYS);
     if (system_.counter(CORE_COUNT_ANSWERS) != count) fail("the counter of answers, register", CORE_COUNT_ANSWERS);
@@ -287,7 +291,7 @@ class Host {
     if (place == rays_.size()) fail("an answer of no ray, tag", system_.top.m_axis_hit_tid);
     const Ray& ray = rays_[place];
     const bool same = ray.ray.any ? (hit.number != CORE_NO_HIT) == (ray.number != CORE_NO_HIT)
-                              : hit.number == ray.number && hit.t == ray.t;
+                              : hit.number == ray.number && hit.t == ray.tWEIGHTS_SAME;
     if (hit.failed ? hit.failed != why : !same) fail("the answer of ray", place);
     if (spoils && (place % 3 == 0) != (hit.failed != 0)) fail("the answer of a ray that is none or is one", place);
     failed += hit.failed != 0;
@@ -368,7 +372,7 @@ int main(int count, char** arguments) {
       core_ray& ray = line.ray;
 RAY_FIELDS      read(file, line.number);
       read(file, line.t);
-    }
+WEIGHTS_READ    }
   }
   std::fclose(file);
 
@@ -408,6 +412,33 @@ std::string with_name(std::string text, const std::string& module) {
   return text;
 }
 
+/// Whether a hit has the weights of its ray.
+std::string compared_weights(const Core& core) {
+  const hls::WorldBits world = core.options.bits.world();
+  const auto same = [](const char* name, int bits, int place) {
+    return fmt::format("is_size(hit.{0}_high, hit.{0}_low, {1}, ray.weights[{2}], ray.weights[{3}])", name,
+                       bits / 2, place, place + 1);
+  };
+  return fmt::format(R"(
+// A number with a sign in two halves has that size.
+bool is_size(int64_t high, uint64_t low, int low_bits, uint64_t size_high, uint64_t size_low) {{
+  const uint64_t mask = (uint64_t{{1}} << low_bits) - 1;
+  if (high < 0) {{
+    low = (~low + 1) & mask;
+    high = low == 0 ? -high : ~high;
+  }}
+  return static_cast<uint64_t>(high) == size_high && low == size_low;
+}}
+bool has_weights(const core_hit& hit, const Ray& ray) {{
+  return {} &&
+         {} &&
+         {};
+}}
+)",
+                     same("det", world.determinant(), 0), same("u", world.edge(), 2),
+                     same("v", world.edge(), 4));
+}
+
 std::string number_text(Word value, const Port& port) {
   if (port.kind == hls::Kind::real)
     return fmt::format("{:a}", std::bit_cast<float>(static_cast<std::uint32_t>(value)));
@@ -426,7 +457,8 @@ std::string scene_text(const Core& core, const CoreScene& scene) {
   for (const CoreScene::Ray& ray : scene.rays) {
     text += "r";
     for (std::size_t i = 0; i < ports.size(); ++i) text += " " + number_text(ray.fields[i], ports[i]);
-    text += fmt::format(" {} {}\n", ray.number, ray.t);
+    text += fmt::format(" {} {}{}{}\n", ray.number, ray.t, ray.weights.empty() ? "" : " ",
+                        fmt::join(ray.weights, " "));
   }
   return text;
 }
@@ -442,6 +474,12 @@ std::string system_program(const Core& core) {
   put("RAY_FIELDS", fields);
   put("IDS_ASKED", has_ids ? "      read.id = static_cast<uint32_t>(top.m_axi_arid);\n" : "");
   put("SPOIL", core.options.door == Door::binary32 ? "ray.dx = ray.dy = ray.dz = 0" : "ray.error = 1");
+  const bool weights = core.options.weights;
+  put("WEIGHTS_WANTED",
+      weights ? "  uint64_t weights[6];  // |det|, |u| and |v| of a hit, the high half first\n" : "");
+  put("WEIGHTS_COMPARED", weights ? compared_weights(core) : "");
+  put("WEIGHTS_SAME", weights ? " && (hit.number == CORE_NO_HIT || has_weights(hit, ray))" : "");
+  put("WEIGHTS_READ", weights ? "      for (uint64_t& half : line.weights) read(file, half);\n" : "");
   put("IDS_SHOWN", has_ids ? "    top.m_axi_rid = read.id;\n" : "");
   return text;
 }

@@ -17,6 +17,8 @@ struct CoreScene {
   struct Ray {
     std::vector<Word> fields;  ///< in the order of ray_ports()
     std::uint64_t number, t;   ///< of the nearest triangle; without one all ones, and the ray's length
+    /// Of a core with weights: halves of |det|, |u| and |v|, the high one first. Without a hit they mean nothing.
+    std::vector<std::uint64_t> weights{};
   };
   std::vector<std::array<std::uint64_t, 4>> blocks;
   std::vector<Ray> rays;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -30,7 +31,8 @@ std::vector<Word> ray_fields(const rtl::Core& core, const CoreJob& job) {
     std::vector<Word> fields{flag(job.any)};
     for (const glm::vec3& vector : {job.ray.origin, job.ray.direction})
       for (int axis = 0; axis < 3; ++axis) fields.push_back(std::bit_cast<std::uint32_t>(vector[axis]));
-    fields.push_back(std::bit_cast<std::uint32_t>(job.ray.length));
+    const float length = job.none ? std::numeric_limits<float>::quiet_NaN() : job.ray.length;
+    fields.push_back(std::bit_cast<std::uint32_t>(length));
     return fields;
   }
   const hls::RayBits& bits = core.options.bits;
@@ -44,7 +46,7 @@ std::vector<Word> ray_fields(const rtl::Core& core, const CoreJob& job) {
   const auto slope = [&](std::size_t axis) { return static_cast<Word>(std::abs(ray.direction[axis])); };
   const ref::MajorQuotient &of_a = box_ray.quotient[0], &of_b = box_ray.quotient[1];
   return {flag(job.any),
-          flag(false),  // no error
+          flag(job.none),
           flag(m == 1),
           flag(m == 2),
           flag(ray.negative[m]),
@@ -190,8 +192,11 @@ class CoreBench::World {
 /// Whether the core takes a ray.
 bool CoreBench::World::offer() {
   const Places& at = bench_.at_;
-  bench_.inputs_[at[ray_valid]] = waiting_.empty() ? 0 : 1;
-  if (waiting_.empty()) return false;
+  const int gap = bench_.options_.gap_percent;
+  const bool waits =
+      waiting_.empty() || (!shown_ && gap > 0 && bench_.random_.below(100) < static_cast<std::uint64_t>(gap));
+  bench_.inputs_[at[ray_valid]] = waits ? 0 : 1;
+  if (waits) return false;
   if (!shown_) bench_.show(jobs_[places_[waiting_.front()].job], waiting_.front());
   shown_ = out(at[ray_ready]) == 0;
   if (shown_) return false;

@@ -24,7 +24,8 @@ namespace hitpipe::sim {
 
 struct CoreJob {
   ref::Ray ray;
-  bool any = false;  ///< any hit will do
+  bool any = false;   ///< any hit will do
+  bool none = false;  ///< the core is told that it is no ray
 };
 /// What int_triangle says of the hit (hls/world/triangle_operands.hpp).
 struct CoreWeights {
@@ -37,7 +38,7 @@ struct CoreAnswer {
 };
 
 /// The job's ray as the core is given it: the ports ray_any to ray_length or ray_len, in their order. Throws
-/// as ref::int_ray() does where the core takes integers.
+/// as ref::int_ray() does where the core takes integers. What is none has a length of NaN where it takes floats.
 [[nodiscard]] std::vector<rtl::Word> ray_fields(const rtl::Core& core, const CoreJob& job);
 
 struct CoreCounts {
@@ -56,6 +57,7 @@ struct CoreBenchOptions {
   std::uint32_t most_steps = (1U << 20) - 1;  ///< records that a ray may test, 1 or more
   std::uint64_t base = 0;                     ///< the image's address, divided by 64
   int held_percent = 0;                       ///< of all cycles take no answer, at random, 0..99
+  int gap_percent = 0;                        ///< of all cycles begin to offer no ray, at random, 0..99
   std::uint64_t seed = 1;
 };
 

@@ -79,8 +79,9 @@ machine beats d512i1 'a block a request, in order, its half' 's/askers_word\[2\]
 machine divider 8+0s8i1 'each hit is compared once' 's/wire loads = .*;/wire loads = there \& ~divides;/'
 machine best_hits t4c1d4i1 'an answer is the best of its hits' 's/improves = divided_1 & closer_1/improves = divided_1/'
 machine weights d25e25t4g1i1 'an answer has its best hit' 's/best_det\[ray_wanted\]/best_det[ray]/'
-machine registers a4h9i1c3 'each access once, what was written' \
+machine registers a4h9i1c34 'each access once, what was written' \
   's/offers_requests <= next_offers_requests_value/offers_requests <= 1/'
+damage registers a4h9i1c34 'the high word of a counter' "s/\[33:32\]/[33:32] \& 2'd1/"
 machine scene_memory a4i1 'a block a request, as written' "s/free = count == /free = 1'b1 | count == /"
 machine read_meter i1c3n3 'a read as long as it took' 's/came <= read_valid/came <= read_valid | came/'
 machine pair_feed 8+0/4a4i1 'a record once, with its ray' 's/intervals\[read_id\[0\]\]/intervals[ray_1]/'

@@ -7,7 +7,8 @@
   wire does_read = ar_here & (~r_waits | rready);
 
   // The registers. A write changes the bytes that have a strobe; what is too large becomes the largest.
-  reg [2:0] base_is, cycles, rays, answered, hits, records, triangles, idles, refusals;
+  reg [2:0] base_is;
+  reg [33:0] cycles, rays, answered, hits, records, triangles, idles, refusals;
   reg [3:0] last_is;
   reg [19:0] steps_are;
   reg [1:0] most_are;
@@ -52,7 +53,7 @@
       {aw_here, w_here, b_waits, ar_here, r_waits} <= 5'd0;
       {base_is, last_is, most_are, wrong, in_core, at_memory, resetting, reset_now} <= 26'd0;
       steps_are <= 20'hfffff;
-      {cycles, rays, answered, hits, records, triangles, idles, refusals} <= 24'd0;
+      {cycles, rays, answered, hits, records, triangles, idles, refusals} <= 272'd0;
     end else begin
       aw_here <= aw_here ? ~does_write : awvalid;
       w_here <= w_here ? ~does_write : wvalid;
@@ -72,15 +73,15 @@
       at_memory <= reset_now ? 2'd0 : at_memory + asks - read_valid;
       resetting <= begins | (resetting & ~reset_now);
       reset_now <= ~reset_now & resetting & ~lets_requests & ~lets_answers & at_memory == 2'd0;
-      if (writes_at(6'd9)) {cycles, rays, answered, hits, records, triangles, idles, refusals} <= 24'd0;
+      if (writes_at(6'd9)) {cycles, rays, answered, hits, records, triangles, idles, refusals} <= 272'd0;
       else begin
-        cycles <= cycles + 3'd1;
+        cycles <= cycles + 34'd1;
         rays <= rays + ray_passes;
         answered <= answered + hit_passes;
         hits <= hits + (hit_passes & hit_failed == 3'd0 & hit_number != 32'hffffffff);
         records <= records + (asks & ~request_id[1]);
         triangles <= triangles + (asks & request_id[1]);
-        idles <= idles + (request_valid ? 3'd0 : 3'd1);
+        idles <= idles + (request_valid ? 34'd0 : 34'd1);
         refusals <= refusals + (request_valid & ~request_ready);
       end
     end
@@ -102,14 +103,22 @@
       6'd10: word_at = about_format;
       6'd11: word_at = about_shape;
       6'd12: word_at = about_ports;
-      6'd16: word_at = cycles;
-      6'd18: word_at = rays;
-      6'd20: word_at = answered;
-      6'd22: word_at = hits;
-      6'd24: word_at = records;
-      6'd26: word_at = triangles;
-      6'd28: word_at = idles;
-      6'd30: word_at = refusals;
+      6'd16: word_at = cycles[31:0];
+      6'd17: word_at = {30'd0, cycles[33:32]};
+      6'd18: word_at = rays[31:0];
+      6'd19: word_at = {30'd0, rays[33:32]};
+      6'd20: word_at = answered[31:0];
+      6'd21: word_at = {30'd0, answered[33:32]};
+      6'd22: word_at = hits[31:0];
+      6'd23: word_at = {30'd0, hits[33:32]};
+      6'd24: word_at = records[31:0];
+      6'd25: word_at = {30'd0, records[33:32]};
+      6'd26: word_at = triangles[31:0];
+      6'd27: word_at = {30'd0, triangles[33:32]};
+      6'd28: word_at = idles[31:0];
+      6'd29: word_at = {30'd0, idles[33:32]};
+      6'd30: word_at = refusals[31:0];
+      6'd31: word_at = {30'd0, refusals[33:32]};
       default: word_at = 32'd0;
     endcase
   endfunction
