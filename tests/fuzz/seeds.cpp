@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
@@ -102,6 +103,25 @@ void add_operands(Seeds seeds) {
   for (const std::string_view refused :
        {"0\n--\n", "0ox\n--\nmin_x\n", "0dz,dy,dx,oz,oy,ox\n--\n\xEF\xBB\xBF#\n"})
     seeds.add(refused);
+}
+
+/// Images of cores: of few triangles, in leaves and in records, and one in which a number is missing.
+void add_images(Seeds seeds) {
+  for (const int triangles : {1, 2, 5}) {
+    ref::Scene scene;
+    for (int i = 0; i < triangles; ++i) {
+      const auto x = static_cast<float>(i) / 8, first = static_cast<float>(3 * i);
+      scene.mesh.vertices.insert(scene.mesh.vertices.end(),
+                                 {{x, 0, 0}, {x + 0.1F, 0.5F, 0}, {x, 0, x - 0.5F}});
+      scene.mesh.triangles.push_back(glm::uvec3(first) + glm::uvec3(0, 1, 2));
+    }
+    if (triangles == 5) scene.mesh.vertices[4] = scene.mesh.vertices[3];
+    for (const int max_triangles : {1, 4}) {
+      const ref::IntScene made =
+          ref::int_scene(scene, {8, 1, 16, 0, 0}, {.build = {.max_triangles = max_triangles}});
+      seeds.add(ref::core_image_bytes(ref::core_image(made).blocks));
+    }
+  }
 }
 
 /// JSON to put in place of a value, one in each line. Some of it is wrong.
@@ -302,6 +322,7 @@ int main(int argc, char** argv) try {
   const fs::path folder = argv[2];
   add_cases(Seeds(folder / "case"));
   add_operands(Seeds(folder / "operands"));
+  add_images(Seeds(folder / "core_image"));
   add_libraries(Seeds(folder / "library"), source);
   add_commands(Seeds(folder / "command_line"), source);
 } catch (const std::exception& error) {
