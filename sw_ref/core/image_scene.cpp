@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "hls/machines/block_kind.hpp"
 #include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/scene/mesh_scene.hpp"
@@ -13,6 +15,9 @@
 namespace hitpipe::ref {
 
 namespace {
+
+/// A scene has a list of them.
+constexpr std::uint32_t most_missing = 1U << 26;
 
 /// By number.
 std::vector<CoreTriangle> triangles_of(const CoreImage& image) {
@@ -61,6 +66,9 @@ IntScene image_scene(const CoreImage& image, const hls::WorldBits& bits, std::st
   const CoreHeader& header = image.header;
   if (bits.coord != header.coord_bits) throw std::invalid_argument("the image has a grid of other bits");
   if (header.triangles == 0) throw std::runtime_error("the image has no triangle; at least one is needed");
+  if (header.missing > most_missing)
+    throw std::runtime_error(fmt::format("the image lacks {} triangles of its mesh; allowed are {} at most",
+                                         header.missing, most_missing));
   IntScene made{.bits = bits, .mesh = int_mesh(mesh_of(image), bits.coord), .scene = {}, .bvh = {}};
   std::vector<glm::dvec3> own;
   own.reserve(made.mesh.mesh.vertices.size());

@@ -13,8 +13,8 @@ namespace hitpipe::ref {
 
 /// The image is of core_image() or checked_image(). The scene has no hierarchy, because the image is one. Camera
 /// and lights are those of a mesh file, with the eye moved into the image's cube, unless the options say others.
-/// The cube is as one that somebody chose. Throws std::runtime_error, one line, for an image without a triangle
-/// and as place_in() does; std::invalid_argument for another n than the image's.
+/// The cube is as one that somebody chose. Throws std::runtime_error, one line, for an image without a triangle or
+/// that lacks more than 2^26 of its mesh, and as place_in() does; std::invalid_argument for another n than the image's.
 [[nodiscard]] IntScene image_scene(const CoreImage& image, const hls::WorldBits& bits, std::string name,
                                    const SceneOptions& options = {});
 

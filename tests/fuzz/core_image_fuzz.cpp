@@ -41,11 +41,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   judge(blocks);
   if (blocks.size() <= ref::header_blocks) return 0;
   const std::uint64_t sizes = blocks[1][1], counts = blocks[1][2];
-  put_header(blocks, {.coord_bits = static_cast<int>(sizes & 0xff),
-                      .levels = static_cast<int>(sizes >> 8 & 0xff),
-                      .triangles = static_cast<std::uint32_t>(counts),
-                      .missing = static_cast<std::uint32_t>(counts >> 32),
-                      .to_cube = {.offset = {0.5, 0, -3}, .scale = 0.125}});
+  ref::put_header(blocks, {.coord_bits = static_cast<int>(sizes & 0xff),
+                           .levels = static_cast<int>(sizes >> 8 & 0xff),
+                           .triangles = static_cast<std::uint32_t>(counts),
+                           .missing = static_cast<std::uint32_t>(counts >> 32),
+                           .to_cube = {.offset = {0.5, 0, -3}, .scale = 0.125}});
   judge(std::move(blocks));
   return 0;
 }

@@ -107,13 +107,13 @@ void add_operands(Seeds seeds) {
 
 /// Images of cores: of few triangles, in leaves and in records, and one in which a number is missing.
 void add_images(Seeds seeds) {
-  for (const int triangles : {1, 2, 5}) {
+  for (const std::uint32_t triangles : {1U, 2U, 5U}) {
     ref::Scene scene;
-    for (int i = 0; i < triangles; ++i) {
-      const auto x = static_cast<float>(i) / 8, first = static_cast<float>(3 * i);
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+      const float x = static_cast<float>(i) / 8;
       scene.mesh.vertices.insert(scene.mesh.vertices.end(),
                                  {{x, 0, 0}, {x + 0.1F, 0.5F, 0}, {x, 0, x - 0.5F}});
-      scene.mesh.triangles.push_back(glm::uvec3(first) + glm::uvec3(0, 1, 2));
+      scene.mesh.triangles.push_back(3U * i + glm::uvec3(0, 1, 2));
     }
     if (triangles == 5) scene.mesh.vertices[4] = scene.mesh.vertices[3];
     for (const int max_triangles : {1, 4}) {

@@ -114,6 +114,10 @@ TEST(ImageScene, OfNothingOrOfAnotherGridIsRefused) {
               (void)image_scene(image, {16, 1, 16}, "empty");
             }),
             "the image has a grid of other bits");
+  CoreImage few = core_image(int_scene(sim::hills(), {}));
+  few.header.missing = (1U << 26) + 1;
+  EXPECT_EQ(message_of<std::runtime_error>([&] { (void)image_scene(few, {}, "few"); }),
+            "the image lacks 67108865 triangles of its mesh; allowed are 67108864 at most");
 }
 
 }  // namespace
