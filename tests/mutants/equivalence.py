@@ -1,0 +1,26 @@
+"""Yosys tries to prove that a module with a fault says the same as the one without it, from any state of its registers."""
+import re
+
+from simulation import run
+
+
+def module_text(text, name):
+    return re.search(rf"^module {name}\b.*?^endmodule$", text, re.M | re.S)[0]
+
+
+def equivalent(texts, fault, folder, seconds):
+    """Other modules are boxes: they say the same if they are told the same."""
+    whole, name = texts[fault.file], fault.module
+    (folder / "boxes.v").write_text("".join(text.replace(module_text(text, name), "") if re.search(rf"^module {name}\b", text, re.M) else text
+                                            for text in texts.values()))
+    script = []
+    for side, text in (("gold", whole), ("gate", fault.text_with_it(whole))):
+        (folder / f"{side}.v").write_text(re.sub(rf"^module {name}\b", f"module {side}", module_text(text, name), flags=re.M))
+        script.append(f"read_verilog -sv {side}.v; read_verilog -lib boxes.v; hierarchy -top {side}; proc; opt_clean; memory -nordff -nomap; opt_expr; "
+                      f"opt_clean; design -stash {side}")
+    script.append("design -copy-from gold -as gold gold; design -copy-from gate -as gate gate; read_verilog -lib boxes.v; "
+                  "equiv_make gold gate both; hierarchy -top both; opt_clean; equiv_struct; equiv_simple -undef; equiv_struct; "
+                  "equiv_induct -undef -seq 3; equiv_status -assert")
+    (folder / "equivalent.ys").write_text("\n".join(script) + "\n")
+    code, said = run(["yosys", "-q", "-s", "equivalent.ys"], seconds, folder)
+    return code == 0
