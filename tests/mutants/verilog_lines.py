@@ -5,7 +5,6 @@ TOKEN = re.compile(r"\d+'[hdb][0-9a-fA-F]+|[A-Za-z_$][\w$]*|\d+|<<|>>|<=|>=|==|!
 DECLARED = re.compile(r"\b(?:wire|reg)(?: signed)?(?: \[(\d+):0\])? (\w+)( \[0:\d+\])?")
 WIRE = re.compile(r"\s*(?:wire|reg)(?: signed)?(?: \[[^\]]*\])? (\w+) = (.+);\s*$")
 ASSIGN = re.compile(r"\s*assign (\w+) = (.+);\s*$")
-ENABLE = re.compile(r"\s*(?:end )?(?:else )?if \((.*?)\) (?:begin|[a-z]\w*(?:\[.*\])? <=.*)\s*$")
 REGISTER = re.compile(r"(?:.*\) |\s*|.*: )([a-z]\w*)(?:\[(.+)\])? <?= (.+);\s*$")
 LABEL = re.compile(r"\s*(\d+'[hdb][0-9a-fA-F]+): ")
 PIN = re.compile(r"\.(\w+)\(")
