@@ -2,7 +2,7 @@
 import subprocess
 
 CORES = [
-    ("core", ""),
+    ("core, default", ""),
     ("core, small", "--triangle-ii serial --bits 8+0/4s8 --rays 2 --stack 2"),
     ("core, float door", "--door float --barycentrics"),
     ("core, 64 data bits", "--data-bits 64"),
