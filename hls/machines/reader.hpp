@@ -135,7 +135,7 @@ struct Reader {
     using Bit = typename D::bit;
     struct Wants {
       Bit next, done, next_lost;  // the ray of stage 1: its leaf's next triangle, which may not be there
-      Bit unread;                 // or the last one was none
+      Bit unread;                 // its last triangle could not be read, or was none
       decltype(memory[leaves].word()) leaf;
       Bit go, go_lost;  // the first of the queue `goes`
       decltype(memory[go_words].word()) first;

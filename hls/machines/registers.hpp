@@ -2,7 +2,7 @@
 // bits; an address is that of a word, and its two low bits are ignored. A word that is not in this list reads
 // as 0, and to write it changes nothing. A number that is too large for its register becomes the largest there.
 //   0x00  identity        0x04  version
-//   0x08  status: the bits of Status below. To write a 1 to one that stays clears it
+//   0x08  status: the bits of Status below. Some stay until software writes a 1 to them
 //   0x0c  control: to write 1 begins a soft reset
 //   0x10  base address of the image: low word, a multiple of 64; 0x14: high word, without bits above the bus
 //   0x18  number of the image's last block
@@ -116,10 +116,9 @@ constexpr Control<"last_r", address_bits> last_r;
 constexpr Control<"most_steps_r", step_count_bits, low_mask(step_count_bits)> most_steps_r;
 constexpr Control<"most_rays_r", ray_count_bits> most_rays_r;
 constexpr Control<"sticky_r", sticky_bits> sticky_r;
-inline constexpr auto room_bits = [](const RegisterBits& f) {
-  return f.ray + 5;
-};                                                     // some rays wait for the core
-constexpr Control<"flying", room_bits> flying;         // rays in the core
+/// Some rays wait in front of those in flight.
+inline constexpr auto flying_bits = [](const RegisterBits& f) { return f.ray + 5; };
+constexpr Control<"flying", flying_bits> flying;       // rays in the core
 constexpr Control<"reading", ray_count_bits> reading;  // blocks on their way
 constexpr Control<"stops"> stops;                      // a soft reset has begun
 constexpr Control<"offers_requests", 1, 1> offers_requests;

@@ -178,7 +178,8 @@ constexpr std::string_view gates = R"(
   assign core_request_ready = m_axi_arready & lets_requests;
 )";
 
-/// {0}: bits of an epoch less 1, {1}: bits of an epoch, {2}: the lowest bit of it in an identifier, {3}: the highest.
+/// {0}: the highest bit of an epoch, {1}: how many bits it has, {2} and {3}: its lowest and its highest bit in an
+/// identifier.
 constexpr const char* with_identifiers = R"(
   // A reset may come while reads are on their way. What they give has the epoch before, and is dropped.
   reg [{0}:0] epoch;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "hls/machines/block_kind.hpp"
 #include "hls/machines/failure.hpp"
 
 namespace hitpipe::rtl {
@@ -84,12 +85,12 @@ std::string c_image(const Core& core) {
       text.find(place), place.size(),
       fmt::format("\"{}\"", fmt::join(hls::failure_texts, "\",\n                                    \"")));
   return fmt::format(R"(
-#define CORE_IMAGE_VERSION 1
+#define CORE_IMAGE_VERSION {}
 #define CORE_HEADER_BYTES 128 /* with the record before the header */
 #define CORE_COORD_BITS {} /* n of an image's grid */
 #define CORE_LEVELS {} /* of records on a path */
 )",
-                     core.options.bits.coord, core.options.levels) +
+                     hls::image_version, core.options.bits.coord, core.options.levels) +
          text;
 }
 

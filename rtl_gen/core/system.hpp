@@ -17,7 +17,7 @@ struct CoreScene {
   struct Ray {
     std::vector<Word> fields;  ///< in the order of ray_ports()
     std::uint64_t number, t;   ///< of the nearest triangle; without one all ones, and the ray's length
-    /// Of a core with weights: halves of |det|, |u| and |v|, the high one first. Without a hit they mean nothing.
+    /// The halves of |det|, |u| and |v|, the high half first, if the core gives weights. They mean nothing without a hit.
     std::vector<std::uint64_t> weights{};
   };
   std::vector<std::array<std::uint64_t, 4>> blocks;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "hls/machines/block_kind.hpp"
 #include "hls/world/world_format.hpp"
 #include "host/text.hpp"
 
@@ -13,8 +14,9 @@ namespace hitpipe::ref {
 
 namespace {
 
-/// The name and the version of the layout.
-constexpr std::string_view magic{"hitpipe\1", 8};
+/// The version of the layout follows it.
+constexpr std::string_view magic = "hitpipe";
+constexpr unsigned version_at = 56;  ///< of the first word
 
 /// Places of 64 bits in the header. The last byte of a block is 0, so no ray takes it for a record or a triangle.
 enum HeaderWord : std::size_t {
@@ -57,7 +59,7 @@ std::uint64_t checksum_of(std::span<const CoreBlock> blocks) {
 }  // namespace
 
 void put_header(std::vector<CoreBlock>& blocks, const CoreHeader& header) {
-  word(blocks, magic_word) = word_of(magic);
+  word(blocks, magic_word) = word_of(magic) | std::uint64_t{hls::image_version} << version_at;
   word(blocks, sizes_word) = static_cast<std::uint64_t>(header.coord_bits) |
                              static_cast<std::uint64_t>(header.levels) << 8 |
                              std::uint64_t{blocks.size()} << 32;
@@ -70,12 +72,12 @@ void put_header(std::vector<CoreBlock>& blocks, const CoreHeader& header) {
 }
 
 CoreHeader header_of(std::span<const CoreBlock> blocks) {
-  constexpr std::uint64_t version = 0xff00'0000'0000'0000;
-  if (blocks.size() <= header_blocks || ((word(blocks, magic_word) ^ word_of(magic)) & ~version) != 0)
+  constexpr std::uint64_t name = (std::uint64_t{1} << version_at) - 1;
+  if (blocks.size() <= header_blocks || (word(blocks, magic_word) & name) != word_of(magic))
     throw std::runtime_error("there is no header; allowed is a file of `hitpipe core image`");
-  if (word(blocks, magic_word) != word_of(magic))
-    throw std::runtime_error(fmt::format("the image has version {} of its layout; allowed is {}",
-                                         word(blocks, magic_word) >> 56, int{magic.back()}));
+  if (const std::uint64_t version = word(blocks, magic_word) >> version_at; version != hls::image_version)
+    throw std::runtime_error(
+        fmt::format("the image has version {} of its layout; allowed is {}", version, hls::image_version));
   const std::uint64_t sizes = word(blocks, sizes_word), counts = word(blocks, counts_word);
   if (sizes >> 32 != blocks.size())
     throw std::runtime_error(

@@ -1,9 +1,7 @@
 // The core, cycle by cycle, against the walk in software: the same hits and the same number of reads for all
-// rays of a picture, with memories of every kind. Its Verilog gives the same outputs in every cycle. Damaged
-// images end too.
+// rays of a picture, with memories of every kind. Its Verilog gives the same outputs in every cycle.
 #include "sim/core/core_bench.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -21,27 +19,12 @@
 #include "sw_ref/world/int_ray.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/text.hpp"
-#include "tests/sim/small_scene.hpp"
+#include "tests/sim/core/core_pictures.hpp"
 
 namespace hitpipe::sim::core_bench_test {
 namespace {
 
-const hls::WorldBits world{12, 1, 12, 0, 0};
-const hls::MajorBits boxes{12, 1, 7, 0, 12};
-const hls::RayBits bits{12, 1, 7, 0, 12, 0};
-
-struct Picture {
-  std::shared_ptr<const ref::IntScene> scene;
-  ref::CoreImage image;
-  PictureRays rays;
-
-  explicit Picture(int places, int size = 48, const hls::WorldBits& of = world,
-                   const hls::MajorBits& with = boxes)
-      : scene(std::make_shared<const ref::IntScene>(
-            ref::int_scene(hills(), of, {.build = {.builder = ref::Builder::sah, .max_triangles = 2}}))),
-        image(ref::core_image(*scene)),
-        rays(picture_rays(scene, image, {of, with, places}, {.width = size, .height = size})) {}
-};
+using namespace core_pictures;
 
 struct Kind {
   const char* name;
@@ -50,14 +33,6 @@ struct Kind {
   MemoryOptions memory;
 };
 
-rtl::CoreOptions options_of(int rays, int stack_bits, int address_bits = 24) {
-  return {
-      .bits = bits, .rays = rays, .stack_bits = stack_bits, .address_bits = address_bits, .byte_bits = 40};
-}
-const rtl::Library& library() {
-  static const rtl::Library own = rtl::library_called(rtl::default_library);
-  return own;
-}
 constexpr CoreBenchOptions far_image{.base = 0x1'8000'0003, .held_percent = 30};
 
 /// The core in software and in Verilog. All outputs are compared in every cycle.
@@ -96,7 +71,8 @@ class BothCores final : public rtl::NativeMachine {
   int cycle_ = 0;
 };
 
-void expect_right(const Picture& picture, const CoreBench& bench, const std::vector<CoreAnswer>& answers) {
+void expect_right(const CorePicture& picture, const CoreBench& bench,
+                  const std::vector<CoreAnswer>& answers) {
   EXPECT_EQ(picture.rays.wrong(answers), 0U);
   std::size_t any = 0;
   for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -119,7 +95,7 @@ class CoreWith : public testing::TestWithParam<Kind> {};
 
 TEST_P(CoreWith, AnswersAndReadsAsSoftwareDoes) {
   const Kind& kind = GetParam();
-  const Picture picture(1 << kind.stack_bits);
+  const CorePicture picture(1 << kind.stack_bits);
   ASSERT_GT(picture.rays.jobs.size(), 1'000U);
   const rtl::Core core = rtl::make_core(options_of(kind.rays, kind.stack_bits), library());
   NativeCore native(core);
@@ -132,7 +108,7 @@ TEST_P(CoreWith, AnswersAndReadsAsSoftwareDoes) {
 /// A block RAM may give any word that is read while it is written. No machine of a core uses one.
 TEST_P(CoreWith, NeedsNoWordThatIsReadWhileItIsWritten) {
   const Kind& kind = GetParam();
-  const Picture picture(1 << kind.stack_bits, 24);
+  const CorePicture picture(1 << kind.stack_bits, 24);
   for (const int triangle_interval : {4, 0}) {
     rtl::CoreOptions options = options_of(kind.rays, kind.stack_bits);
     options.triangle_interval = triangle_interval;
@@ -171,7 +147,7 @@ class CoreInVerilog : public testing::TestWithParam<Form> {};
 
 TEST_P(CoreInVerilog, IsTheSameInEveryCycle) {
   const hls::RayBits& format = GetParam().bits;
-  const Picture picture(4, 12, format.world(), format.boxes());
+  const CorePicture picture(4, 12, format.world(), format.boxes());
   rtl::CoreOptions options = options_of(12, 2);
   options.bits = format;
   options.tag_bits = 4;
@@ -203,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, CoreInVerilog,
 
 /// Rays that a unit int_ray in the core makes integers, among some that are no rays.
 TEST(CoreWithFloats, AnswersAsWithIntegers) {
-  const Picture picture(4, 12);
+  const CorePicture picture(4, 12);
   rtl::CoreOptions options = options_of(12, 2);
   options.door = rtl::Door::binary32;
   options.tag_bits = 7;
@@ -249,7 +225,7 @@ class FaultyCore : public testing::TestWithParam<Fault> {};
 
 TEST_P(FaultyCore, IsSeen) {
   const Fault& fault = GetParam();
-  const Picture picture(2, 12);
+  const CorePicture picture(2, 12);
   const rtl::Core core = rtl::make_core(options_of(12, 1), library());
   BothCores both(core, rtl::replaced(rtl::to_verilog(core, library()), fault.good, fault.bad));
   VerilatedMachine faulty(core, rtl::replaced(rtl::to_verilog(core, library()), fault.good, fault.bad));
@@ -287,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// What the bench says of a core whose Verilog has a fault.
 std::string complaint_of(const rtl::Core& core, const char* good, const char* bad) {
-  const Picture picture(2, 12);
+  const CorePicture picture(2, 12);
   VerilatedMachine faulty(core, rtl::replaced(rtl::to_verilog(core, library()), good, bad));
   CoreBench bench(core, faulty, picture.image, {.least_latency = 1, .most_latency = 60});
   std::vector<CoreAnswer> answers(picture.rays.jobs.size());
@@ -300,33 +276,6 @@ TEST(CoreBench, SaysThatACoreStandsStill) {
   EXPECT_EQ(complaint_of(core, "assign hit_valid = replies_hit_valid;", "assign hit_valid = 1'b0;"),
             "the core stands still: 22085 cycles without a request or an answer");
 }
-
-/// Answers of a core of 8 rays, for the rays of a picture.
-struct Answered {
-  Picture picture{8, 12};
-  std::vector<CoreAnswer> answers;
-  CoreCounts counts;
-
-  explicit Answered(const ref::CoreImage& image,
-                    const MemoryOptions& memory = {.least_latency = 1, .most_latency = 20},
-                    std::uint32_t most_steps = 100, const rtl::CoreOptions& options = options_of(8, 3))
-      : answers(picture.rays.jobs.size()) {
-    const rtl::Core core = rtl::make_core(options, library());
-    NativeCore native(core);
-    CoreBench bench(core, native, image, memory, {.most_steps = most_steps});
-    bench.run(picture.rays.jobs, answers);
-    EXPECT_EQ(bench.memory_counts().outside, 0U);
-    counts = bench.counts();
-  }
-  [[nodiscard]] std::size_t failed(hls::Failure why) const {
-    return static_cast<std::size_t>(std::count_if(
-        answers.begin(), answers.end(), [&](const CoreAnswer& answer) { return answer.failed == why; }));
-  }
-  /// Not failed, but not software's.
-  [[nodiscard]] std::size_t wrong() const {
-    return picture.rays.wrong(answers) - (answers.size() - failed(hls::not_failed));
-  }
-};
 
 /// Each ray tests all of them before it has an answer.
 TEST(CoreBench, WaitsForManyTrianglesInOnePlace) {
@@ -351,119 +300,8 @@ TEST(CoreBench, WaitsForManyTrianglesInOnePlace) {
   EXPECT_EQ(bench.counts().triangles, 64U * 3'000);
 }
 
-class CoreWithADamagedImage : public testing::Test {
- protected:
-  const Picture picture_{8, 4};
-  ref::CoreImage image_ = picture_.image;
-  const ref::CoreRecord root_ = ref::record_of(image_.blocks[0]);
-  const ref::CoreRecord first_ = ref::record_of(image_.blocks[root_.pointer]);
-  const int grid_ = bits.coord;
-};
-
-TEST_F(CoreWithADamagedImage, FailsRaysAtTheirSteps) {
-  ref::CoreRecord loop = root_;
-  loop.pointer = 0;
-  image_.blocks[0] = to_block(loop, grid_);
-  const Answered looped(image_, {.least_latency = 1, .most_latency = 20}, 20);
-  EXPECT_GT(looped.failed(hls::too_many_steps), 0U);
-  EXPECT_EQ(looped.failed(hls::not_failed) + looped.failed(hls::too_many_steps), looped.answers.size());
-  EXPECT_LE(looped.counts.records, 20 * looped.counts.rays);
-}
-
-TEST_F(CoreWithADamagedImage, FailsRaysAtTheLastLevel) {
-  ref::CoreRecord loop = root_;
-  loop.pointer = 0;
-  image_.blocks[0] = to_block(loop, grid_);
-  EXPECT_GT(Answered(image_).failed(hls::too_many_levels), 0U);
-}
-
-/// Children behind the image's end, and on it, and so far that a core with few bits of a block's number would take them
-/// for some in the image.
-TEST_F(CoreWithADamagedImage, FailsRaysThatAreLedOutOfIt) {
-  const auto end = static_cast<std::uint32_t>(image_.blocks.size());
-  for (const std::uint32_t place :
-       {end - 1, end, end + 1'000'000, 0xffff'ffffU, first_.pointer | 1U << 24, first_.pointer | 1U << 31}) {
-    ref::CoreRecord away = first_;
-    away.pointer = place;
-    image_.blocks[root_.pointer] = to_block(away, grid_);
-    const Answered led(image_);
-    EXPECT_GT(led.failed(hls::outside_image), 0U) << place;
-    EXPECT_EQ(led.wrong(), 0U) << place;
-  }
-}
-
-/// A core whose image is as large as it can read: behind the last block comes the first.
-TEST(CoreWithAFullImage, FailsRaysThatAreLedRoundItsEnd) {
-  const Picture picture(8, 4);
-  rtl::CoreOptions options = options_of(8, 3);
-  options.address_bits = hls::count_bits(static_cast<int>(picture.image.blocks.size()));
-  ref::CoreImage image = picture.image;
-  image.blocks.resize(std::size_t{1} << options.address_bits);
-  const ref::CoreRecord root = ref::record_of(image.blocks[0]);
-  // Child 0 is the last block, and child 1 would be block 0, a right record.
-  ref::CoreRecord away = root;
-  away.pointer = static_cast<std::uint32_t>(image.blocks.size()) - 1;
-  away.counts = {ref::PairChild::branch, ref::PairChild::branch};
-  image.blocks.back() = to_block(ref::CoreRecord{.boxes = root.boxes, .pointer = 0}, bits.coord);
-  image.blocks[root.pointer] = to_block(away, bits.coord);
-  const Answered led(image, {.least_latency = 1, .most_latency = 20}, 100, options);
-  EXPECT_GT(led.failed(hls::outside_image), 0U);
-  EXPECT_EQ(led.failed(hls::outside_image) + led.failed(hls::not_failed), led.answers.size());
-}
-
-/// Zeros, as in a file that was half written.
-TEST_F(CoreWithADamagedImage, FailsRaysThatReadNothing) {
-  std::fill(image_.blocks.begin() + static_cast<std::ptrdiff_t>(image_.blocks.size() / 2),
-            image_.blocks.end(), ref::CoreBlock{});
-  const Answered half(image_);
-  EXPECT_GT(half.failed(hls::unread_block), 0U);
-  EXPECT_GT(half.failed(hls::not_failed), 0U);
-  EXPECT_EQ(half.wrong(), 0U);
-  image_.blocks.assign(image_.blocks.size(), {});
-  EXPECT_EQ(Answered(image_).failed(hls::unread_block), half.answers.size());
-}
-
-/// As a core of 12 bits reads it.
-TEST_F(CoreWithADamagedImage, FailsAllRaysInAnImageOfAnotherGrid) {
-  const ref::IntScene other = ref::int_scene(hills(), {13, 1, 12, 0, 0}, {.build = {.max_triangles = 2}});
-  const Answered answered(ref::core_image(other));
-  EXPECT_EQ(answered.failed(hls::unread_block), answered.answers.size());
-}
-
-/// A triangle where a record is wanted, and a record where a triangle is.
-TEST_F(CoreWithADamagedImage, FailsRaysThatReadAnotherKind) {
-  const auto last = image_.blocks.end() - (image_.blocks.back() == ref::CoreBlock{} ? 2 : 1);
-  const ref::CoreBlock triangle = *last;
-  *last = image_.blocks[0];
-  const Answered record(image_);
-  EXPECT_GT(record.failed(hls::unread_block), 0U);
-  EXPECT_EQ(record.wrong(), 0U);
-  image_.blocks[root_.pointer] = triangle;
-  // Rays that miss the root's box do not read it.
-  const Answered triangle_for_record(image_);
-  EXPECT_GT(triangle_for_record.failed(hls::unread_block), 100U);
-  EXPECT_EQ(triangle_for_record.wrong(), 0U);
-}
-
-class CoreWithErrors : public testing::TestWithParam<int> {};
-
-/// Every answer is right or has failed, with a triangle unit and with one multiplier.
-TEST_P(CoreWithErrors, OfMemoryGivesNoWrongAnswer) {
-  rtl::CoreOptions options = options_of(8, 3);
-  options.triangle_interval = GetParam();
-  const Picture picture(8, 12);
-  const Answered answered(picture.image, {.least_latency = 1, .most_latency = 20, .error_percent = 2},
-                          (1U << 20) - 1, options);
-  EXPECT_GT(answered.failed(hls::unread_block), 10U);
-  EXPECT_GT(answered.failed(hls::not_failed), 10U);
-  EXPECT_EQ(answered.failed(hls::unread_block) + answered.failed(hls::not_failed), answered.answers.size());
-  EXPECT_EQ(answered.wrong(), 0U);
-}
-INSTANTIATE_TEST_SUITE_P(Tests, CoreWithErrors, testing::Values(4, 0),
-                         [](const auto& each) { return each.param == 0 ? "Serial" : "Unit"; });
-
 TEST(CoreBench, TakesFewTagsAndAddressesThatGoRound) {
-  const Picture picture(4, 24);
+  const CorePicture picture(4, 24);
   rtl::CoreOptions options = options_of(12, 2, 12);
   options.byte_bits = 17;
   options.tag_bits = 2;
@@ -476,7 +314,7 @@ TEST(CoreBench, TakesFewTagsAndAddressesThatGoRound) {
 }
 
 TEST(CoreBench, RefusesALargeImage) {
-  const Picture picture(8, 4);
+  const CorePicture picture(8, 4);
   const rtl::Core core = rtl::make_core(options_of(8, 3, 4), library());
   NativeCore native(core);
   EXPECT_EQ(
