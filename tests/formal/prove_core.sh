@@ -107,11 +107,14 @@ emit wide_64 --tag-bits 2 --data-bits 64
 
 printf '%-52s %-10s %6s %8s\n' proof result cycles seconds
 proof answers -DANSWERS 'answers: once, with its tag, none of before a reset' 34 's/tags\[leaving_ray\]/tags[0]/'
-proof answers -DSTAYS 'stays: answers and requests until they are taken' 34 's/there_2 <= waits/there_2 <= waits \& ~there_2/' 20
+proof answers -DSTAYS 'stays: answers and requests until they are taken' 34 's/there_2 <= waits/there_2 <= waits \& ~there_2/'
 proof answers -DINSIDE 'inside: no block behind the last, or before the first' 36 's/wire reader_cmp = .*/wire reader_cmp = 0;/'
 proof answers -DONCE 'once: one request of a ray at a time' 34 's/missed_there & ~divided_there/~divided_there/'
-proof ends -DMOST=52 'ends: a ray is answered 52 cycles after it was taken' 66 's/wire misses = tested & ~hit/& \& tester/'
-reached ends -DMOST=51 'ends: one takes 51' 66
+all='-DHELD=1 -DANSWERS -DSTAYS -DINSIDE -DONCE'
+proof answers "$all" 'all four: one cycle held back' 58 's/tags\[leaving_ray\]/tags[0]/'
+reached answers '-DHELD=1 -DREACHED' 'all four: two rays have met a triangle' 58
+proof ends -DMOST=51 'ends: a ray is answered 51 cycles after it was taken' 66 's/wire misses = tested & ~hit/& \& tester/'
+reached ends -DMOST=50 'ends: one takes 50' 66
 proof twice -DHELD=1 'twice: other times, the same answers' 53 's/numbers\[read_ray\]/numbers[0]/'
 reached twice '-DHELD=1 -DREACHED' 'twice: two rays have met a triangle' 52
 for place in axi axi_64; do

@@ -26,6 +26,14 @@
   wire answers_one = hit_valid & hit_ready & hit_tag == one;
   always @(posedge clk) in_core <= rst ? 3'd0 : in_core + takes_one - answers_one;
 
+`ifdef HELD
+  // To go further: no reset but the first, and rays, requests, blocks and answers wait in so many cycles, whichever.
+  reg [3:0] held = 4'd0;
+  wire holds = ~hit_ready | ~request_ready | (asked != 4'd0 & ~read_valid) | ~ray_valid;
+  always @(posedge clk) held <= rst ? 4'd0 : held + holds;
+  always @* assume (rst == !began && held <= `HELD);
+`endif
+
   reg hit_waits = 1'b0, request_waits = 1'b0;
   reg [43:0] hit_was;
   reg [10:0] request_was;

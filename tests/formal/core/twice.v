@@ -33,9 +33,10 @@ module side #(parameter EAGER = 0) (
     if (asks) blocks[request_id] <= request_address[6:5];
   end
   always @* if (read_valid) assume (asked[read_id]);
-  // One side is never slow. If every other timing gives its answers, any two give the same.
+  // One side is never slow, and its order is always the same. If every other timing gives its answers, any two give the same.
   generate if (EAGER) begin : eager
-    always @* assume (hit_ready && request_ready && read_valid == (asked != 4'd0) && ray_valid == (taken != 2'd3));
+    always @* assume (hit_ready && request_ready && read_valid == (asked != 4'd0) && ray_valid == (taken != 2'd3) && ray_tag == taken[0]);
+    always @* if (read_valid) assume ((asked & ((4'd1 << read_id) - 4'd1)) == 4'd0);
   end else begin : slow
     // The other holds something back in so many cycles, whichever: a ray, a request, a block or an answer.
     reg [3:0] held;
