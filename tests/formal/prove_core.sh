@@ -107,7 +107,8 @@ emit wide_64 --tag-bits 2 --data-bits 64
 
 printf '%-52s %-10s %6s %8s\n' proof result cycles seconds
 proof answers -DANSWERS 'answers: once, with its tag, none of before a reset' 34 's/tags\[leaving_ray\]/tags[0]/'
-proof answers -DSTAYS 'stays: answers and requests until they are taken' 34 's/there_2 <= waits/there_2 <= waits \& ~there_2/'
+proof answers -DSTAYS 'stays: answers and requests until they are taken' 34 \
+  's/next_there_1_value = holds ? there_1 : requests_mux/next_there_1_value = requests_mux/'
 proof answers -DINSIDE 'inside: no block behind the last, or before the first' 36 's/wire reader_cmp = .*/wire reader_cmp = 0;/'
 proof answers -DONCE 'once: one request of a ray at a time' 34 's/missed_there & ~divided_there/~divided_there/'
 all='-DHELD=1 -DANSWERS -DSTAYS -DINSIDE -DONCE'
