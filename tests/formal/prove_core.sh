@@ -114,8 +114,8 @@ proof answers -DONCE 'once: one request of a ray at a time' 34 's/missed_there &
 all='-DHELD=1 -DANSWERS -DSTAYS -DINSIDE -DONCE'
 proof answers "$all" 'all four: one cycle held back' 58 's/tags\[leaving_ray\]/tags[0]/'
 reached answers '-DHELD=1 -DREACHED' 'all four: two rays have met a triangle' 58
-proof ends -DMOST=51 'ends: a ray is answered 51 cycles after it was taken' 66 's/wire misses = tested & ~hit/& \& tester/'
-reached ends -DMOST=50 'ends: one takes 50' 66
+proof ends -DMOST=46 'ends: a ray is answered 46 cycles after it was taken' 66 's/wire misses = tested & ~hit/& \& tester/'
+reached ends -DMOST=45 'ends: one takes 45' 66
 proof twice -DHELD=1 'twice: other times, the same answers' 53 's/numbers\[read_ray\]/numbers[0]/'
 reached twice '-DHELD=1 -DREACHED' 'twice: two rays have met a triangle' 52
 for place in axi axi_64; do
