@@ -65,8 +65,8 @@ class Host {
   // Sends rays, and leaves them while memory takes long to read for them. There is room for more rays.
   void fill() {
     trace(1);
-    for (int i = 0; i < 300 || system_.reads_on_their_way() == 0; ++i) {
-      system_.slowest = i < 200 ? 60 : 1000;
+    for (int i = 0; i < 200 || system_.reads_on_their_way() == 0; ++i) {
+      system_.slowest = i < 150 ? 60 : 1000;
       cycle(answered_ + CORE_RAYS / 2 + CORE_RAYS % 2, 0, false);
     }
     system_.slowest = 60;
@@ -88,11 +88,13 @@ class Host {
     Top& top = system_.top;
     system_.write(CORE_REG_CONTROL, CORE_SOFT_RESET);
     top.s_axis_ray_tvalid = 1;
-    for (unsigned i = system_.random() % 64; i > 0; --i) system_.step();
+    unsigned requests_wait = system_.random() % 64, answers_wait = system_.random() % 64;
+    while (system_.registers.resetting()) {
+      if (requests_wait-- == 0) system_.refuses = false;
+      if (answers_wait-- == 0) top.m_axis_hit_tready = 1;
+      system_.step();
+    }
     system_.refuses = false;
-    for (unsigned i = system_.random() % 64; i > 0; --i) system_.step();
-    top.m_axis_hit_tready = 1;
-    while (system_.registers.resetting()) system_.step();
     top.s_axis_ray_tvalid = top.m_axis_hit_tready = 0;
     if (system_.read(CORE_REG_STATUS) & CORE_RESETTING) fail("a soft reset does not end, register", CORE_REG_STATUS);
     if (system_.reads_on_their_way() != 0) fail("reads after a soft reset:", system_.reads_on_their_way());
@@ -183,15 +185,16 @@ void damage(System& system, Host& host) {
   uint64_t last = host.blocks() - 1;
   while (last > 0 && image[last][CORE_BLOCK_BYTES - 1] == 0) --last;
   host.start(last + 1);
-  host.trace(some);
-  for (int i = 0; i < 6; ++i) {
+  host.trace(some / 2);
+  for (int i = 0; i < 4; ++i) {
     if (last == 0) break;
     host.start(i == 0 ? last : 1 + system.random() % last);
-    host.trace(some / 2, outside, false, true);
+    host.trace(some / 4, outside, false, true);
   }
   host.start(host.blocks());
   // The root leads to its own record.
   for (int byte = 20; byte < 24; ++byte) system.memory[0][byte] = 0;
+  system.memory[0][24] = 255;
   host.trace(some, levels);
   // To a block that the core cannot name, or that the image does not have.
   system.memory[0][23] = 0x80;
@@ -213,7 +216,7 @@ void registers(System& system) {
   system.read_all();
   constexpr uint8_t settings[] = {CORE_REG_BASE_LOW, CORE_REG_BASE_HIGH, CORE_REG_LAST_BLOCK, CORE_REG_MOST_STEPS,
                                   CORE_REG_STATUS, CORE_REG_CLEAR_COUNTERS, CORE_REG_IDENTITY, CORE_REG_MOST_RAYS};
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 250; ++i) {
     const uint8_t at = settings[system.random() % 8];
     // Not only what is too large.
     system.write(at, system.random() >> system.random() % 32, system.random.one_in(2) ? 15 : system.random() % 16);
@@ -223,17 +226,22 @@ void registers(System& system) {
 }
 // A reset of one cycle while much is on its way, and then of some more.
 void reset_hard(System& system, Host& host) {
-  constexpr uint8_t control = CORE_REG_CONTROL;
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < 16; ++i) {
     host.start(host.blocks());
     if (i % 4 != 3) host.fill();
-    if (i % 3 == 1) system.write(control, CORE_SOFT_RESET);
-    // A part of a write has come.
-    if (i % 2 == 0) system.lite.ask_word(0xffffffffu, 15);
-    if (i % 4 == 1) system.lite.ask_place(CORE_REG_MOST_RAYS);
-    for (unsigned cycles = system.random() % 8; cycles > 0; --cycles) system.step();
-    system.reset(i % 8 == 7 ? 5 : 1);
-    if (i % 2 == 0) system.read_all();
+    if (i % 4 == 1) system.lite.ask_write(CORE_REG_CONTROL, CORE_SOFT_RESET, 15);
+    // A part of a write has come, or answers have not been taken.
+    if (i % 3 == 0) system.lite.ask_word(0xffffffffu, 15);
+    if (i % 3 == 1) system.lite.ask_place(CORE_REG_MOST_RAYS);
+    if (i % 3 == 2) {
+      system.lite.holds = true;
+      system.lite.ask_write(CORE_REG_MOST_RAYS, 1, 15);
+      system.lite.ask_read(CORE_REG_STATUS);
+      system.lite.ask_read(CORE_REG_STATUS);
+    }
+    for (unsigned cycles = 4 + system.random() % 16; cycles > 0; --cycles) system.step();
+    system.reset(i % 8 == 6 ? 5 : 1);
+    if (i % 4 == 0) system.read_all();
     // Four resets give the same identifiers again.
     while (i % 3 == 2 && system.reads_on_their_way() != 0) system.step();
   }
@@ -281,7 +289,7 @@ WEIGHTS_READ    }
   for (int i = 0; i < 20; ++i) {
     // After a reset there may be few rays, and never more than the core has room for.
     host.start(host.blocks(), 0xffffffffu, i % 4 == 0 ? CORE_RAYS + 1 + system.random() % CORE_RAYS : 1 + system.random() % CORE_RAYS);
-    host.trace(i % 4 == 0 ? 3 * CORE_RAYS : 10);
+    host.trace(i % 8 == 0 ? 2 * CORE_RAYS : 3);
     host.fill();
     host.hold(i % 2 == 1, i % 4 > 1);
     host.stop();

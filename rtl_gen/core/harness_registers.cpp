@@ -217,6 +217,7 @@ class Lite {
  public:
   uint64_t writes = 0, reads = 0, written = 0, has_read = 0;  // asked for, and answered
   uint32_t word = 0;                                         // that was read last
+  bool holds = false;                                        // answers are not taken
 
   void ask_write(uint8_t at, uint32_t value, uint32_t strobes) {
     ask_place(at);
@@ -249,8 +250,8 @@ class Lite {
       top.s_axi_arvalid = !asked_.empty() && !random.one_in(3);
       top.s_axi_araddr = static_cast<uint8_t>(top.s_axi_arvalid ? (asked_.front() & 0xfc) | low >> 12 & 3 : low >> 16);
     }
-    top.s_axi_bready = !random.one_in(3);
-    top.s_axi_rready = !random.one_in(3);
+    top.s_axi_bready = !holds && !random.one_in(3);
+    top.s_axi_rready = !holds && !random.one_in(3);
   }
   // Which of the valid bits are 0 in the next cycle, when show() may set them again.
   struct Taken {

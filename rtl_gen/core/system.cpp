@@ -77,7 +77,8 @@ std::string scene_text(const Core& core, const CoreScene& scene) {
 std::string system_program(const Core& core) {
   std::string fields;
   for (const Port& port : ray_ports(core)) fields += fmt::format("      read(file, ray.{});\n", port.name);
-  std::string text = with_name(std::string(harness_registers).append(harness_system).append(harness_host), core.module);
+  std::string text =
+      with_name(std::string(harness_registers).append(harness_system).append(harness_host), core.module);
   const auto put = [&](std::string_view place, const std::string& what) {
     text.replace(text.find(place), place.size(), what);
   };
