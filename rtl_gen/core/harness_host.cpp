@@ -157,12 +157,6 @@ class Host {
   bool offers_ = false, taken_ = false;
 };
 
-template <class Number>
-void read(std::FILE* file, Number& number) {
-  const char* const format = std::is_same_v<Number, float> ? "%f" : std::is_signed_v<Number> ? "%" SCNd64 : "%" SCNu64;
-  if (std::fscanf(file, format, &number) != 1) fail("core_module_scene.txt is cut at byte", static_cast<uint64_t>(std::ftell(file)));
-}
-
 // Damage, and what the core says of it. The image is right before and after.
 void damage(System& system, Host& host) {
   enum : uint64_t { no_ray = 1, steps, levels, outside, unread };

@@ -183,21 +183,22 @@ class Registers {
 
  private:
   uint32_t word_at(uint32_t at) const {
-    switch (at) {
-      case CORE_REG_IDENTITY: return CORE_IDENTITY;
-      case CORE_REG_VERSION: return CORE_VERSION;
-      case CORE_REG_STATUS:
-        return sticky_ | (resetting_ ? CORE_RESETTING : 0) | (flying_ == 0 && !resetting_ ? CORE_IDLE : 0);
-      case CORE_REG_BASE_LOW: return static_cast<uint32_t>(base_);
-      case CORE_REG_BASE_HIGH: return static_cast<uint32_t>(base_ >> 32);
-      case CORE_REG_LAST_BLOCK: return static_cast<uint32_t>(last_);
-      case CORE_REG_MOST_STEPS: return static_cast<uint32_t>(steps_);
-      case CORE_REG_MOST_RAYS: return static_cast<uint32_t>(most_);
-      case CORE_REG_FORMAT: return CORE_FORMAT;
-      case CORE_REG_SHAPE: return CORE_SHAPE;
-      case CORE_REG_PORTS: return CORE_PORTS;
-      default: break;
-    }
+    const struct {
+      uint32_t at, word;
+    } words[] = {
+        {CORE_REG_IDENTITY, CORE_IDENTITY},
+        {CORE_REG_VERSION, CORE_VERSION},
+        {CORE_REG_STATUS, sticky_ | (resetting_ ? CORE_RESETTING : 0) | (flying_ == 0 && !resetting_ ? CORE_IDLE : 0)},
+        {CORE_REG_BASE_LOW, static_cast<uint32_t>(base_)},
+        {CORE_REG_BASE_HIGH, static_cast<uint32_t>(base_ >> 32)},
+        {CORE_REG_LAST_BLOCK, static_cast<uint32_t>(last_)},
+        {CORE_REG_MOST_STEPS, static_cast<uint32_t>(steps_)},
+        {CORE_REG_MOST_RAYS, static_cast<uint32_t>(most_)},
+        {CORE_REG_FORMAT, CORE_FORMAT},
+        {CORE_REG_SHAPE, CORE_SHAPE},
+        {CORE_REG_PORTS, CORE_PORTS}};
+    for (const auto& each : words)
+      if (each.at == at) return each.word;
     if (at < CORE_COUNT_CYCLES || at >= CORE_COUNT_CYCLES + 8 * counters_.size()) return 0;
     return static_cast<uint32_t>(counters_[(at - CORE_COUNT_CYCLES) / 8] >> at % 8 * 8);
   }
@@ -248,7 +249,7 @@ class Lite {
     }
     if (!top.s_axi_arvalid) {
       top.s_axi_arvalid = !asked_.empty() && !random.one_in(3);
-      top.s_axi_araddr = static_cast<uint8_t>(top.s_axi_arvalid ? (asked_.front() & 0xfc) | low >> 12 & 3 : low >> 16);
+      top.s_axi_araddr = static_cast<uint8_t>(top.s_axi_arvalid ? (asked_.front() & 0xfc) | (low >> 12 & 3) : low >> 16);
     }
     top.s_axi_bready = !holds && !random.one_in(3);
     top.s_axi_rready = !holds && !random.one_in(3);

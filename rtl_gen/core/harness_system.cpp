@@ -172,6 +172,12 @@ class System {
   uint64_t cycle_ = 0;
 };
 
+template <class Number>
+void read(std::FILE* file, Number& number) {
+  const char* const format = std::is_same_v<Number, float> ? "%f" : std::is_signed_v<Number> ? "%" SCNd64 : "%" SCNu64;
+  if (std::fscanf(file, format, &number) != 1) fail("core_module_scene.txt is cut at byte", static_cast<uint64_t>(std::ftell(file)));
+}
+
 )";
 
 }  // namespace hitpipe::rtl
