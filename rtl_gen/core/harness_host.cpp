@@ -11,7 +11,7 @@ class Host {
   Host(System& system, const std::vector<Ray>& rays) : system_(system), rays_(rays), blocks_(system.memory.size()) {}
 
   // Says where the image is. There are no rays.
-  void start(uint64_t blocks, uint32_t steps = 0xffffffffu) {
+  void start(uint64_t blocks, uint32_t steps = 0xffffffffu, uint32_t rays = CORE_RAYS) {
     if (system_.read(CORE_REG_STATUS) != CORE_IDLE) fail("the status before a start, register", CORE_REG_STATUS);
     system_.place_image();
     const uint64_t base = system_.first_block * CORE_BLOCK_BYTES;
@@ -19,12 +19,12 @@ class Host {
     system_.write(CORE_REG_BASE_HIGH, static_cast<uint32_t>(base >> 32));
     system_.write(CORE_REG_LAST_BLOCK, static_cast<uint32_t>(blocks - 1));
     system_.write(CORE_REG_MOST_STEPS, steps);
-    system_.write(CORE_REG_MOST_RAYS, CORE_RAYS);
+    system_.write(CORE_REG_MOST_RAYS, rays);
     system_.write(CORE_REG_CLEAR_COUNTERS, 0);
   }
   // Sends so many rays, and compares the answers. Where something is wrong, `why` is why a ray may fail. If
-  // `spoils`, every third ray is none.
-  void trace(size_t count, uint64_t why = 0, bool spoils = false) {
+  // `spoils`, every third ray is none; if `few`, it may be that none fails.
+  void trace(size_t count, uint64_t why = 0, bool spoils = false, bool few = false) {
     in_flight_.assign(CORE_RAYS, rays_.size());
     free_tags_.clear();
     for (size_t tag = 0; tag < in_flight_.size(); ++tag)
@@ -33,10 +33,14 @@ class Host {
     for (uint64_t silent = 0; answered_ < count; ++silent) {
       if (silent > 1'000'000) fail("no answer; answered", answered_);
       if (cycle(count, why, spoils)) silent = 0;
+      // There may be more rays from now on.
+      const uint64_t most = system_.registers.most_rays();
+      if (most < 2 * CORE_RAYS && system_.random.one_in(500))
+        system_.lite.ask_write(CORE_REG_MOST_RAYS, static_cast<uint32_t>(most + 1), 15);
     }
     quiet();
     // A very small image has few rays that come to what is wrong.
-    if (why != 0 && failed == 0 && blocks_ > 100) fail("no ray has failed for", why);
+    if (why != 0 && failed == 0 && blocks_ > 100 && !few) fail("no ray has failed for", why);
     uint32_t status = CORE_IDLE;
     if (failed != 0) status |= CORE_FAILED(why);
     if (system_.errors_given != 0) status |= CORE_BUS_ERROR;
@@ -44,6 +48,15 @@ class Host {
     if (system_.read(CORE_REG_STATUS) != status) fail("the status, register", CORE_REG_STATUS);
     if (system_.counter(CORE_COUNT_RAYS) != count) fail("the counter of rays, register", CORE_COUNT_RAYS);
     if (system_.counter(CORE_COUNT_ANSWERS) != count) fail("the counter of answers, register", CORE_COUNT_ANSWERS);
+    uint64_t records = 0, triangles = 0;
+    for (size_t i = 0; i < count; ++i) {
+      records += rays_[i].records;
+      triangles += rays_[i].triangles;
+    }
+    const bool is_whole = why == 0 && !spoils;
+    if (is_whole && system_.counter(CORE_COUNT_RECORDS) != records) fail("records that rays read, register", CORE_COUNT_RECORDS);
+    if (is_whole && system_.counter(CORE_COUNT_TRIANGLES) != triangles)
+      fail("triangles that rays read, register", CORE_COUNT_TRIANGLES);
     if (system_.counter(CORE_COUNT_HITS) != hits) fail("the counter of hits, register", CORE_COUNT_HITS);
     system_.write(CORE_REG_STATUS, 0xffffffffu);
     if (system_.read(CORE_REG_STATUS) != CORE_IDLE) fail("the status stays, register", CORE_REG_STATUS);
@@ -52,29 +65,40 @@ class Host {
   // Sends rays, and leaves them while memory takes long to read for them. There is room for more rays.
   void fill() {
     trace(1);
-    for (int i = 0; i < 2'000 || system_.reads_on_their_way() == 0; ++i) {
-      system_.slowest = i < 1'900 ? 60 : 1000;
+    for (int i = 0; i < 200 || system_.reads_on_their_way() == 0; ++i) {
+      system_.slowest = i < 150 ? 60 : 1000;
       cycle(answered_ + CORE_RAYS / 2 + CORE_RAYS % 2, 0, false);
     }
     system_.slowest = 60;
     quiet();
   }
-  // Gives up the rays that are in the core.
+  // Rays run until memory has refused a request for so long that no read is on its way, and the host an answer. A core
+  // that has no such request or answer in some time is left as it is.
+  void hold(bool requests, bool answers) {
+    Top& top = system_.top;
+    system_.refuses = requests;
+    for (int i = 0; i < 2'000; ++i) {
+      if ((!requests || (top.m_axi_arvalid && system_.reads_on_their_way() == 0)) && (!answers || top.m_axis_hit_tvalid)) break;
+      cycle(answered_ + CORE_RAYS / 2 + CORE_RAYS % 2, 0, false, !answers);
+    }
+    quiet();
+  }
+  // Gives up the rays that are in the core. What is offered may wait long.
   void stop() {
-    Vcore_module_axi& top = system_.top;
+    Top& top = system_.top;
     system_.write(CORE_REG_CONTROL, CORE_SOFT_RESET);
-    // Meanwhile the core takes no ray, and gives no answer but the one that it has offered.
-    top.s_axis_ray_tvalid = top.m_axis_hit_tready = 1;
-    for (int i = 0; system_.reads_on_their_way() != 0; ++i) {
-      if (top.s_axis_ray_tready) fail("a soft reset takes a ray; sent", sent_);
-      if (i > 0 && top.m_axis_hit_tvalid) fail("a soft reset gives an answer, tag", top.m_axis_hit_tid);
+    top.s_axis_ray_tvalid = 1;
+    unsigned requests_wait = system_.random() % 64, answers_wait = system_.random() % 64;
+    while (system_.registers.resetting()) {
+      if (requests_wait-- == 0) system_.refuses = false;
+      if (answers_wait-- == 0) top.m_axis_hit_tready = 1;
       system_.step();
     }
-    top.s_axis_ray_tvalid = 0;
-    for (int i = 0; system_.read(CORE_REG_STATUS) != CORE_IDLE; ++i)
-      if (i > 1'000) fail("a soft reset does not end, register", CORE_REG_STATUS);
-    top.m_axis_hit_tready = 0;
+    system_.refuses = false;
+    top.s_axis_ray_tvalid = top.m_axis_hit_tready = 0;
+    if (system_.read(CORE_REG_STATUS) & CORE_RESETTING) fail("a soft reset does not end, register", CORE_REG_STATUS);
     if (system_.reads_on_their_way() != 0) fail("reads after a soft reset:", system_.reads_on_their_way());
+    system_.write(CORE_REG_STATUS, 0xffffffffu);
     system_.write(CORE_REG_CLEAR_COUNTERS, 0);
   }
   uint64_t blocks() const { return blocks_; }
@@ -85,10 +109,10 @@ class Host {
     system_.top.m_axis_hit_tready = 0;
   }
   // One clock cycle. Rays have gaps now and then, and an answer may wait. Returns whether one came.
-  bool cycle(size_t count, uint64_t why, bool spoils) {
-    Vcore_module_axi& top = system_.top;
+  bool cycle(size_t count, uint64_t why, bool spoils, bool takes = true) {
+    Top& top = system_.top;
     // A ray that was offered stays until it is taken.
-    if (!top.s_axis_ray_tvalid || taken_) offers_ = !system_.now_and_then();
+    if (!top.s_axis_ray_tvalid || taken_) offers_ = !system_.random.one_in(4);
     top.s_axis_ray_tvalid = offers_ && sent_ < count && !free_tags_.empty();
     taken_ = top.s_axis_ray_tvalid && top.s_axis_ray_tready;
     if (top.s_axis_ray_tvalid) {
@@ -103,17 +127,14 @@ class Host {
         free_tags_.pop_back();
       }
     }
-    top.m_axis_hit_tready = !system_.now_and_then();
+    top.m_axis_hit_tready = takes && !system_.random.one_in(4);
     const bool comes = top.m_axis_hit_tvalid && top.m_axis_hit_tready;
     if (comes) take(why, spoils);
     system_.step();
     return comes;
   }
   void take(uint64_t why, bool spoils) {
-    uint8_t bytes[CORE_HIT_BYTES];
-    core_hit hit;
-    get_bytes(system_.top.m_axis_hit_tdata, bytes, CORE_HIT_BYTES);
-    core_unpack_hit(&hit, bytes);
+    const core_hit hit = hit_of(system_.top);
     size_t& place = in_flight_.at(system_.top.m_axis_hit_tid);
     if (place == rays_.size()) fail("an answer of no ray, tag", system_.top.m_axis_hit_tid);
     const Ray& ray = rays_[place];
@@ -136,12 +157,6 @@ class Host {
   bool offers_ = false, taken_ = false;
 };
 
-template <class Number>
-void read(std::FILE* file, Number& number) {
-  const char* const format = std::is_same_v<Number, float> ? "%f" : std::is_signed_v<Number> ? "%" SCNd64 : "%" SCNu64;
-  if (std::fscanf(file, format, &number) != 1) fail("core_module_scene.txt is cut at byte", static_cast<uint64_t>(std::ftell(file)));
-}
-
 // Damage, and what the core says of it. The image is right before and after.
 void damage(System& system, Host& host) {
   enum : uint64_t { no_ray = 1, steps, levels, outside, unread };
@@ -160,8 +175,20 @@ void damage(System& system, Host& host) {
   host.start(host.blocks());
   host.trace(some, unread);
   system.memory = image;
+  // The last block that is one, and others: nothing behind it is read.
+  uint64_t last = host.blocks() - 1;
+  while (last > 0 && image[last][CORE_BLOCK_BYTES - 1] == 0) --last;
+  host.start(last + 1);
+  host.trace(some / 2);
+  for (int i = 0; i < 4; ++i) {
+    if (last == 0) break;
+    host.start(i == 0 ? last : 1 + system.random() % last);
+    host.trace(some / 4, outside, false, true);
+  }
+  host.start(host.blocks());
   // The root leads to its own record.
   for (int byte = 20; byte < 24; ++byte) system.memory[0][byte] = 0;
+  system.memory[0][24] = 255;
   host.trace(some, levels);
   // To a block that the core cannot name, or that the image does not have.
   system.memory[0][23] = 0x80;
@@ -178,27 +205,47 @@ void damage(System& system, Host& host) {
   system.write(CORE_REG_STATUS, CORE_BASE_ERROR);
 }
 
-// Registers keep what is written, and the largest number in place of a larger one.
+// All registers are written and read, whole and in part. What they say is compared where they are read.
 void registers(System& system) {
-  const auto keeps = [&](uint8_t address, uint32_t value, uint64_t kept) {
-    system.write(address, value);
-    if (system.read(address) != static_cast<uint32_t>(kept)) fail("what a register keeps, register", address);
-  };
-  const auto at_most = [](uint64_t value, int bits) { return std::min(value, (uint64_t{1} << bits) - 1); };
-  for (const uint32_t value : {0x55555555u, 0xaaaaaaaau, 0xffffffffu, 0x33333u, 0xccccu, 0x12u, 0u}) {
-    keeps(CORE_REG_BASE_LOW, value, value & (~uint64_t{0} >> (64 - CORE_ADDRESS_BITS)) & ~63u);
-    keeps(CORE_REG_BASE_HIGH, value, value & (~uint64_t{0} >> (64 - CORE_ADDRESS_BITS)) >> 32);
-    keeps(CORE_REG_LAST_BLOCK, value, at_most(value, CORE_BLOCK_BITS));
-    keeps(CORE_REG_MOST_STEPS, value, at_most(value, 20));
+  system.read_all();
+  constexpr uint8_t settings[] = {CORE_REG_BASE_LOW, CORE_REG_BASE_HIGH, CORE_REG_LAST_BLOCK, CORE_REG_MOST_STEPS,
+                                  CORE_REG_STATUS, CORE_REG_CLEAR_COUNTERS, CORE_REG_IDENTITY, CORE_REG_MOST_RAYS};
+  for (int i = 0; i < 250; ++i) {
+    const uint8_t at = settings[system.random() % 8];
+    // Not only what is too large.
+    system.write(at, system.random() >> system.random() % 32, system.random.one_in(2) ? 15 : system.random() % 16);
+    system.read(at);
   }
-  keeps(CORE_REG_MOST_RAYS, 0, 0);
-  keeps(CORE_REG_STATUS, 0xffffffffu, CORE_IDLE);
-  keeps(CORE_REG_IDENTITY, 0, CORE_IDENTITY);
+  system.read_all();
+}
+// A reset of one cycle while much is on its way, and then of some more.
+void reset_hard(System& system, Host& host) {
+  for (int i = 0; i < 16; ++i) {
+    host.start(host.blocks());
+    if (i % 4 != 3) host.fill();
+    if (i % 4 == 1) system.lite.ask_write(CORE_REG_CONTROL, CORE_SOFT_RESET, 15);
+    // A part of a write has come, or answers have not been taken.
+    if (i % 3 == 0) system.lite.ask_word(0xffffffffu, 15);
+    if (i % 3 == 1) system.lite.ask_place(CORE_REG_MOST_RAYS);
+    if (i % 3 == 2) {
+      system.lite.holds = true;
+      system.lite.ask_write(CORE_REG_MOST_RAYS, 1, 15);
+      system.lite.ask_read(CORE_REG_STATUS);
+      system.lite.ask_read(CORE_REG_STATUS);
+    }
+    for (unsigned cycles = 4 + system.random() % 16; cycles > 0; --cycles) system.step();
+    system.reset(i % 8 == 6 ? 5 : 1);
+    if (i % 4 == 0) system.read_all();
+    // Four resets give the same identifiers again.
+    while (i % 3 == 2 && system.reads_on_their_way() != 0) system.step();
+  }
 }
 
 int main(int count, char** arguments) {
-  Verilated::commandArgs(count, arguments);  // +verilator+seed+N and its kind
-  System system;
+  Verilated::threadContextp()->randSeed(1);
+  Verilated::threadContextp()->randReset(2);  // registers and memories begin with random bits
+  Verilated::commandArgs(count, arguments);   // +verilator+seed+N and its kind
+  System system(static_cast<uint64_t>(Verilated::threadContextp()->randSeed()));
   std::vector<Ray> rays;
   std::FILE* const file = std::fopen("core_module_scene.txt", "r");
   if (!file) fail("core_module_scene.txt cannot be read; line", 0);
@@ -217,32 +264,32 @@ int main(int count, char** arguments) {
       core_ray& ray = line.ray;
 RAY_FIELDS      read(file, line.number);
       read(file, line.t);
+      read(file, line.records);
+      read(file, line.triangles);
 WEIGHTS_READ    }
   }
   std::fclose(file);
 
-  if (system.read(CORE_REG_IDENTITY) != CORE_IDENTITY) fail("identity, register", CORE_REG_IDENTITY);
-  if (system.read(CORE_REG_VERSION) != CORE_VERSION) fail("version, register", CORE_REG_VERSION);
-  if (system.read(CORE_REG_FORMAT) != CORE_FORMAT) fail("format, register", CORE_REG_FORMAT);
-  if (system.read(CORE_REG_SHAPE) != CORE_SHAPE) fail("shape, register", CORE_REG_SHAPE);
-  if (system.read(CORE_REG_PORTS) != CORE_PORTS) fail("ports, register", CORE_REG_PORTS);
   registers(system);
+  system.reset(1);
+  system.read_all();
   Host host(system, rays);
   host.start(host.blocks());
   host.trace(rays.size());
   const uint64_t hits = host.hits;
   damage(system, host);
 
-  // Soft resets with reads on their way, and a hard one. With one identifier the bus must be quiet for that.
+  // Soft resets with reads on their way, or what is offered, and then hard ones.
   for (int i = 0; i < 20; ++i) {
-    host.start(host.blocks());
+    // After a reset there may be few rays, and never more than the core has room for.
+    host.start(host.blocks(), 0xffffffffu, i % 4 == 0 ? CORE_RAYS + 1 + system.random() % CORE_RAYS : 1 + system.random() % CORE_RAYS);
+    host.trace(i % 8 == 0 ? 2 * CORE_RAYS : 3);
     host.fill();
+    host.hold(i % 2 == 1, i % 4 > 1);
     host.stop();
+    if (i % 4 == 0) system.read_all();
   }
-  host.start(host.blocks());
-  host.fill();
-  if (CORE_HAS_ONE_ID) host.stop();
-  system.reset();
+  reset_hard(system, host);
   host.start(host.blocks());
   host.trace(100);
   std::printf("PASS %zu rays, %" PRIu64 " hits\n", rays.size(), hits);

@@ -68,8 +68,8 @@ std::string scene_text(const Core& core, const CoreScene& scene) {
   for (const CoreScene::Ray& ray : scene.rays) {
     text += "r";
     for (std::size_t i = 0; i < ports.size(); ++i) text += " " + number_text(ray.fields[i], ports[i]);
-    text += fmt::format(" {} {}{}{}\n", ray.number, ray.t, ray.weights.empty() ? "" : " ",
-                        fmt::join(ray.weights, " "));
+    text += fmt::format(" {} {} {} {}{}{}\n", ray.number, ray.t, ray.records, ray.triangles,
+                        ray.weights.empty() ? "" : " ", fmt::join(ray.weights, " "));
   }
   return text;
 }
@@ -77,13 +77,19 @@ std::string scene_text(const Core& core, const CoreScene& scene) {
 std::string system_program(const Core& core) {
   std::string fields;
   for (const Port& port : ray_ports(core)) fields += fmt::format("      read(file, ray.{});\n", port.name);
-  std::string text = with_name(std::string(harness_system).append(harness_host), core.module);
+  std::string text =
+      with_name(std::string(harness_registers).append(harness_system).append(harness_host), core.module);
   const auto put = [&](std::string_view place, const std::string& what) {
     text.replace(text.find(place), place.size(), what);
   };
   const bool has_ids = !core.options.has_one_id();
   put("RAY_FIELDS", fields);
-  put("IDS_ASKED", has_ids ? "      read.id = static_cast<uint32_t>(top.m_axi_arid);\n" : "");
+  put("IDS", has_ids ? R"(uint32_t asked_id(const Top& top) { return top.m_axi_arid; }
+void show_id(Top& top, uint32_t id) { top.m_axi_rid = id; }
+)"
+                     : R"(uint32_t asked_id(const Top&) { return 0; }
+void show_id(Top&, uint32_t) {}
+)");
   put("SPOIL", core.options.door == Door::binary32 ? "ray.dx = ray.dy = ray.dz = 0" : "ray.error = 1");
   const bool weights = core.options.weights;
   put("WEIGHTS_WANTED",
@@ -91,7 +97,6 @@ std::string system_program(const Core& core) {
   put("WEIGHTS_COMPARED", weights ? compared_weights(core) : "");
   put("WEIGHTS_SAME", weights ? " && (hit.number == CORE_NO_HIT || has_weights(hit, ray))" : "");
   put("WEIGHTS_READ", weights ? "      for (uint64_t& half : line.weights) read(file, half);\n" : "");
-  put("IDS_SHOWN", has_ids ? "    top.m_axi_rid = read.id;\n" : "");
   return text;
 }
 

@@ -19,6 +19,7 @@ struct CoreScene {
     std::uint64_t number, t;   ///< of the nearest triangle; without one all ones, and the ray's length
     /// The halves of |det|, |u| and |v|, the high half first, if the core gives weights. They mean nothing without a hit.
     std::vector<std::uint64_t> weights{};
+    std::uint64_t records = 0, triangles = 0;  ///< blocks that the ray reads
   };
   std::vector<std::array<std::uint64_t, 4>> blocks;
   std::vector<Ray> rays;

@@ -11,6 +11,7 @@
 #include "sim/core/core_bench.hpp"
 #include "sim/core/native_core.hpp"
 #include "sw_ref/core/core_image.hpp"
+#include "sw_ref/core/core_tracer.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 #include "sw_ref/scene/triangle_numbers.hpp"
 #include "sw_ref/world/int_ray.hpp"
@@ -197,7 +198,21 @@ rtl::CoreScene::Ray asked(const rtl::Core& core, const CoreJob& job, const ref::
     put(2, crossing->e[1] >> world.finer, world.edge());
     put(4, crossing->e[2] >> world.finer, world.edge());
   }
-  return {ray_fields(core, job), best.triangle, static_cast<std::uint64_t>(best.t), std::move(weights)};
+  return {.fields = ray_fields(core, job),
+          .number = best.triangle,
+          .t = static_cast<std::uint64_t>(best.t),
+          .weights = std::move(weights)};
+}
+
+/// How many blocks the core reads for it. A ray reads one after the other, so this depends on no timing.
+ref::TraceCounts read_for(const ref::CoreTracer& walk, const CoreJob& job) {
+  std::uint32_t triangle = 0;
+  ref::TraceCounts counts;
+  walk.trace({.rays = {&job.ray, 1},
+              .query = job.any ? ref::Query::any : ref::Query::closest,
+              .triangles = {&triangle, 1}},
+             counts);
+  return counts;
 }
 
 /// Some of a testbench's cycles: rays in an image, and what its surroundings do.
@@ -285,8 +300,16 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
 
   rtl::CoreTest test{.cycles = std::move(recorder.cycles),
                      .scene = {.blocks = mesh.image.blocks, .rays = {}}};
-  for (int i = 0; i < 1000; ++i)
-    test.scene.rays.push_back(asked(core, i % 2 == 0 ? job() : lattice_job(), mesh.scene.mesh));
+  const ref::CoreTracer walk(
+      mesh.image, mesh.scene.mesh.mesh,
+      {.world = world, .boxes = options.bits.boxes(), .places = 1 << options.stack_bits});
+  for (int i = 0; i < 1000; ++i) {
+    const CoreJob made = i % 2 == 0 ? job() : lattice_job();
+    const ref::TraceCounts read = read_for(walk, made);
+    test.scene.rays.push_back(asked(core, made, mesh.scene.mesh));
+    test.scene.rays.back().records = read.nodes_loaded;
+    test.scene.rays.back().triangles = read.triangles_loaded;
+  }
   return test;
 }
 
