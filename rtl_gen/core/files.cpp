@@ -113,22 +113,38 @@ std::string fusesoc_text(const Core& core, const Library& library) {
   return file.text();
 }
 
+/// A unit's module is in the file of the core.
+void add_unit_test(std::vector<host::File>& files, const Part& part, const VectorSet& vectors) {
+  const ModuleInterface unit = unit_part(*part.design, part.format, part.interface.module, *part.pipeline,
+                                         part.interface.flow_control())
+                                   .interface;
+  const std::vector<hls::Result> results = part.design->results(part.format);
+  files.push_back({fmt::format("tb/{}_tb.sv", unit.module),
+                   testbench(unit, static_cast<int>(vectors.size()), part.pipeline->latency())});
+  files.push_back({fmt::format("tb/{}_vectors.hex", unit.module),
+                   vector_summary(part.design->name_at(part.format), vectors, results) +
+                       vector_file(part.ports(), unit.operands(), results, vectors.all())});
+}
+
 }  // namespace
 
 std::vector<host::File> core_files(const Core& core, const Library& library, CoreTest test) {
   const CycleTest cycles = test_of(core, std::move(test.cycles));
-  return with_licence(
-      std::vector<host::File>{{core.module + ".v", to_verilog(core, library)},
-                              {axi_module(core) + ".v", axi_verilog(core)},
-                              {core.module + ".h", c_header(core)},
-                              {core.module + ".json", manifest_of(core, library).dump(2) + "\n"},
-                              {core.module + ".core", fusesoc_text(core, library)},
-                              {core.module + ".dot", to_dot(core)},
-                              {"tb/" + core.module + "_tb.sv", testbench_text(cycles)},
-                              {"tb/" + core.module + "_vectors.hex", vectors_text(cycles)},
-                              {"tb/" + axi_module(core) + "_harness.cpp", system_program(core)},
-                              {"tb/" + core.module + "_scene.txt", scene_text(core, test.scene)},
-                              {"tb/Makefile", testbench_makefile()}});
+  std::vector<host::File> files{{core.module + ".v", to_verilog(core, library)},
+                                {axi_module(core) + ".v", axi_verilog(core)},
+                                {core.module + ".h", c_header(core)},
+                                {core.module + ".json", manifest_of(core, library).dump(2) + "\n"},
+                                {core.module + ".core", fusesoc_text(core, library)},
+                                {core.module + ".dot", to_dot(core)},
+                                {"tb/" + core.module + "_tb.sv", testbench_text(cycles)},
+                                {"tb/" + core.module + "_vectors.hex", vectors_text(cycles)},
+                                {"tb/" + axi_module(core) + "_harness.cpp", system_program(core)},
+                                {"tb/" + core.module + "_scene.txt", scene_text(core, test.scene)},
+                                {"tb/Makefile", testbench_makefile()}};
+  std::size_t unit = 0;
+  for (const Part& part : core.parts)
+    if (part.pipeline && unit < test.units.size()) add_unit_test(files, part, test.units[unit++]);
+  return with_licence(std::move(files));
 }
 
 }  // namespace hitpipe::rtl

@@ -436,7 +436,8 @@ TRACE := $(TRACE_$(WAVES))
 
 .PHONY: icarus verilator harness waves clean
 icarus: $(UNITS:%=icarus-%)
-verilator: $(UNITS:%=verilator-%)
+# Units of a core have no file of their own. `make verilator-UNIT` runs one of them.
+verilator: $(addprefix verilator-,$(foreach unit,$(UNITS),$(and $(wildcard ../$(unit).v),$(unit))))
 harness: $(BARE:%=harness-%)
 waves:
 	$(MAKE) icarus WAVES=$(or $(WAVES),vcd)
@@ -446,17 +447,18 @@ waves:
 ROOM := $(if $(word 2,$(CURDIR)),$(or $(TMPDIR),/tmp)/hitpipe-$(shell id -u)-$(shell pwd | cksum | tr ' ' -),build)
 BUILD = $(ROOM)/$(1)_$*$(WAVES:%=_%)
 RUN_WAVES = $(if $(WAVES),+waves=$*.$(WAVES))
+FILE = $(shell grep -l '^module $* ' ../*.v)
 COMPILE = $(VERILATOR) -Wall $(TRACE) $(DEFINES) -j 0 -MAKEFLAGS -s -Mdir
 
 .PHONY: $(UNITS:%=icarus-%) $(UNITS:%=verilator-%) $(BARE:%=harness-%)
 $(UNITS:%=icarus-%): icarus-%:
 	@mkdir -p $(ROOM)
-	$(IVERILOG) -g2012 -Wall $(DEFINES) -s $*_tb -y .. -o $(call BUILD,icarus) $*_tb.sv ../$*.v
+	$(IVERILOG) -g2012 -Wall $(DEFINES) -s $*_tb -y .. -o $(call BUILD,icarus) $*_tb.sv $(FILE)
 	$(VVP) -n $(call BUILD,icarus) $(if $(WAVES),-$(WAVES)) $(RUN_WAVES)
 
 $(UNITS:%=verilator-%): verilator-%:
 	@mkdir -p $(ROOM)
-	$(COMPILE) $(call BUILD,tb) --binary --top-module $*_tb -y .. $*_tb.sv ../$*.v
+	$(COMPILE) $(call BUILD,tb) --binary --top-module $*_tb -y .. $*_tb.sv $(FILE)
 	$(call BUILD,tb)/V$*_tb $(RUN_WAVES)
 
 $(BARE:%=harness-%): harness-%:

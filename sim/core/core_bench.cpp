@@ -105,17 +105,53 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
                                             image.blocks.size(), most_blocks));
   for (const rtl::CorePort& port : core.ports) {
     (port.pin.is_input ? inputs_ : outputs_).push_back(0);
+    if (port.pin.is_input) widths_.push_back(port.pin.width);
   }
   inputs_[at_[base]] = options.base;
-  inputs_[at_[last]] = image.blocks.size() - 1;
+  inputs_[at_[last]] = (options.blocks == 0 ? image.blocks.size() : options.blocks) - 1;
   inputs_[at_[most_steps]] = options.most_steps;
-  inputs_[at_[most_rays]] = static_cast<Word>(core.options.rays);
+  inputs_[at_[most_rays]] = options.unruly ? 1 : static_cast<Word>(core.options.rays);
   machine_.outputs(outputs_.data());
   machine_.step(inputs_.data(), true);
 }
 
+/// One to four fields have another bit, one or more bits in any place, or all below a place.
+void CoreBench::spoil(std::vector<Word>& fields) {
+  for (int left = random_.between(1, 4); left > 0; --left) {
+    const std::size_t i = random_.below(fields.size());
+    const int width = widths_[at_[ray_any] + i];
+    const Word bit = Word{1} << random_.between(0, width - 1);
+    switch (random_.between(0, 3)) {
+      case 0:
+        fields[i] ^= bit;
+        break;
+      case 1:
+        fields[i] = random_.bits() & (2 * bit - 1);
+        break;
+      case 2:
+        fields[i] = bit;
+        break;
+      default:
+        fields[i] = bit - 1;
+    }
+  }
+}
+
+void CoreBench::put_random(std::size_t place, std::size_t count) {
+  for (std::size_t i = place; i < place + count; ++i)
+    inputs_[i] = random_.bits() & rtl::ones_below(widths_[i]);
+}
+
+void CoreBench::let_more_rays() {
+  Word& rays = inputs_[at_[most_rays]];
+  const auto slowly = static_cast<std::uint64_t>(core_.options.rays);
+  if (rays < rtl::ones_below(widths_[at_[most_rays]]) && random_.below(1 + 100 / slowly) == 0) ++rays;
+}
+
 void CoreBench::show(const CoreJob& job, std::size_t tag) {
-  const std::vector<Word> fields = ray_fields(core_, job);
+  std::vector<Word> fields = ray_fields(core_, job);
+  const int wild = options_.wild_percent;
+  if (wild > 0 && random_.below(100) < static_cast<std::uint64_t>(wild)) spoil(fields);
   std::copy(fields.begin(), fields.end(), inputs_.begin() + static_cast<std::ptrdiff_t>(at_[ray_any]));
   inputs_[at_[ray_tag]] = tag;
 }
@@ -134,7 +170,10 @@ void CoreBench::check_alive(bool asks, bool asked, bool answers) {
 
 void CoreBench::take_block() {
   inputs_[at_[read_valid]] = block_ ? 1 : 0;
-  if (!block_) return;
+  if (!block_) {
+    if (options_.unruly) put_random(at_[read_id], 1 + BlockWords::count);
+    return;
+  }
   inputs_[at_[read_id]] = block_->tag;
   inputs_[at_[read_word_0]] = block_->block[0];
   inputs_[at_[read_word_1]] = block_->block[1];
@@ -196,7 +235,10 @@ bool CoreBench::World::offer() {
   const bool waits =
       waiting_.empty() || (!shown_ && gap > 0 && bench_.random_.below(100) < static_cast<std::uint64_t>(gap));
   bench_.inputs_[at[ray_valid]] = waits ? 0 : 1;
-  if (waits) return false;
+  if (waits) {
+    if (bench_.options_.unruly) bench_.put_random(at[ray_tag], at[Hits::ready] - at[ray_tag]);
+    return false;
+  }
   if (!shown_) bench_.show(jobs_[places_[waiting_.front()].job], waiting_.front());
   shown_ = out(at[ray_ready]) == 0;
   if (shown_) return false;
@@ -253,6 +295,7 @@ std::optional<std::size_t> CoreBench::World::answer() {
 template <class Answered>
 void CoreBench::World::cycle(const Answered& answered) {
   bench_.machine_.outputs(bench_.outputs_.data());
+  if (bench_.options_.unruly) bench_.let_more_rays();
   const bool taken = offer();
   const bool asked = request();
   bench_.take_block();
@@ -269,8 +312,8 @@ void CoreBench::World::cycle(const Answered& answered) {
 void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
                     const std::function<void(double)>& progress) {
   // A tag has few bits, so it is a place among the rays in flight.
-  const auto places = static_cast<std::size_t>(
-      std::min(rtl::ones_below(core_.options.tag_bits) + 1, static_cast<Word>(core_.options.rays)));
+  const auto rays = static_cast<Word>(core_.options.rays) * (options_.unruly ? 2 : 1);
+  const auto places = static_cast<std::size_t>(std::min(rtl::ones_below(core_.options.tag_bits) + 1, rays));
   World world(*this, jobs, answers, places);
   std::size_t next = 0, ended = 0;
   run_rays(

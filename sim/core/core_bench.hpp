@@ -58,6 +58,11 @@ struct CoreBenchOptions {
   std::uint64_t base = 0;                     ///< the image's address, divided by 64
   int held_percent = 0;                       ///< of all cycles take no answer, at random, 0..99
   int gap_percent = 0;                        ///< of all cycles begin to offer no ray, at random, 0..99
+  std::uint64_t blocks = 0;                   ///< that the image is said to have; 0: as many as it has
+  int wild_percent = 0;                       ///< of all rays have other numbers in some fields, 0..100
+  /// Twice as many rays are offered as the core has room for, most_rays grows from 1 to its largest number, and ports
+  /// have random words while they say nothing.
+  bool unruly = false;
   std::uint64_t seed = 1;
 };
 
@@ -84,6 +89,9 @@ class CoreBench {
   class World;
 
   void show(const CoreJob& job, std::size_t tag);
+  void spoil(std::vector<rtl::Word>& fields);
+  void put_random(std::size_t place, std::size_t count);
+  void let_more_rays();
   void take_block();
   /// `asks` and `answers` say what the core offers; `asked`: memory took a request.
   void check_alive(bool asks, bool asked, bool answers);
@@ -127,6 +135,7 @@ class CoreBench {
   Places at_;
   ref::adversary::Random random_;
   std::vector<rtl::Word> inputs_, outputs_;
+  std::vector<int> widths_;  ///< of the inputs
   std::optional<MemoryAnswer> block_;
   CoreCounts counts_;
 };

@@ -81,13 +81,13 @@ always() {
 }
 
 number=0
-# proof PLACE DEFINES WHAT CYCLES|any DAMAGE [CYCLES]: and the damage is found, in so many cycles.
+# proof PLACE DEFINES WHAT CYCLES|any DAMAGE: and the damage is found, in as many cycles or in 20.
 proof() {
   local place=$1 defines=$2 what=$3 cycles=$4 damage=$5 name=p$((++number)) began=$EPOCHREALTIME result='NOT PROVED'
   model "$name" "$place" "$defines" '' &&
     if [[ $cycles == any ]]; then always "$name"; else bounded "$name" "$cycles"; fi && result=proved
   row "$what" "$result" "$cycles" "$began"
-  damage "$place" "$defines" "${what%%:*}: damage" "${6:-$cycles}" "$damage"
+  damage "$place" "$defines" "${what%%:*}: damage" "$cycles" "$damage"
 }
 damage() {
   local place=$1 defines=$2 what=$3 cycles=${4/any/20} damage=$5 name=p$((++number)) began=$EPOCHREALTIME result='NOT FOUND'

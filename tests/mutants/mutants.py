@@ -52,11 +52,9 @@ class Plants:
             shutil.rmtree(folder)
 
     def fate_in(self, folder, fault):
-        if self.harness and fault.file == f"{self.written.wrapper}.v":
-            if not self.written.compiles_wrapper(folder):
-                return None
-        else:
-            verdict = self.timed("icarus", self.written.icarus, folder)
+        # The wrapper has no testbench.
+        if not self.harness or fault.file != f"{self.written.wrapper}.v":
+            verdict = self.timed("icarus", self.written.icarus, folder, fault)
             if verdict == NOT_COMPILED:
                 return None
             if verdict == FAILED:
