@@ -13,9 +13,11 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "mutants"))
 from configurations import CORES
+from constants import constants
 from known import machine_of
-from points import LINE, TOGGLE, joined, not_covered, percent, ranges, read_rules, shares
+from points import LINE, TOGGLE, joined, not_covered, ranges, read_rules, shares
 
+SIMULATIONS = ["testbench", "harness"]
 LEAST = {LINE: 95, TOGGLE: 90}
 # Registers begin with 0. The copies with which Verilator compares bits do too; what it counts before a reset is taken back.
 FLAGS = ["-Wno-fatal", "-Wno-lint", "-Wno-style", "-DHITPIPE_CHECK", "--x-initial", "0", "--coverage-line", "--coverage-toggle"]
@@ -91,35 +93,37 @@ def simulate(verilog, folder, top, main, jobs, sources=()):
     return (folder / "tb" / "coverage.dat").read_text(errors="replace")
 
 
-def measure(hitpipe, options, folder, jobs):
-    """The core's name, and its coverage by its testbench and its harness."""
+def measure(hitpipe, options, folder, jobs, kept):
+    """The core's name, its coverage by its testbench and its harness, and its constant bits."""
     run([hitpipe, "core", "rtl", *options.split(), "--out", folder], folder.parent)
     tb = folder / "tb"
     core = next(tb.glob("*_tb.sv")).name[:-len("_tb.sv")]
-    bench = simulate(folder / f"{core}.v", folder, f"{core}_tb", MAIN, jobs, [tb / f"{core}_tb.sv"])
-    harness = harness_with_coverage((tb / f"{core}_axi_harness.cpp").read_text())
-    wrapper = simulate(folder / f"{core}_axi.v", folder, f"{core}_axi", harness, jobs)
-    return core, {"testbench": bench, "harness": wrapper}
+    if kept and (kept / "harness.dat").exists():
+        datas = [(kept / f"{name}.dat").read_text(errors="replace") for name in SIMULATIONS]
+    else:
+        bench = simulate(folder / f"{core}.v", folder, f"{core}_tb", MAIN, jobs, [tb / f"{core}_tb.sv"])
+        harness = harness_with_coverage((tb / f"{core}_axi_harness.cpp").read_text())
+        datas = [bench, simulate(folder / f"{core}_axi.v", folder, f"{core}_axi", harness, jobs)]
+    if kept:
+        kept.mkdir(parents=True, exist_ok=True)
+        for name, data in zip(SIMULATIONS, datas):
+            (kept / f"{name}.dat").write_text(data)
+    return core, datas, constants([folder / f"{core}.v", folder / f"{core}_axi.v"], f"{core}_axi", folder)
 
 
 def cells(found, module):
-    return " | ".join(f"{found[module, kind][1]:,} | {percent(found[module, kind]):.1f}" for kind in (LINE, TOGGLE))
+    lines, bits = found[module, LINE], found[module, TOGGLE]
+    return (f"{lines.every:,} | {lines.percent():.1f} | {bits.every:,} | {bits.percent():.1f} | {bits.constant:,} | "
+            f"{bits.percent_of_what_changes():.1f}")
 
 
-def print_modules(name, counts, machine):
-    found = shares(counts)
-    print(f"\n| {name} | lines | % | bits | % |\n|---|--:|--:|--:|--:|")
-    for module in sorted({module for module, _ in found}):
+HEAD = "lines | % | bits | % | constant | % of the others"
+
+
+def print_modules(name, found, machine):
+    print(f"\n| {name} | {HEAD} |\n|---|" + "--:|" * 6)
+    for module in sorted({module for module, _ in found if module}):
         print(f"| {machine(module)} | {cells(found, module)} |")
-
-
-def total(counts):
-    """kind: [reached, all]."""
-    found = {LINE: [0, 0], TOGGLE: [0, 0]}
-    for (_, kind), (reached, every) in shares(counts).items():
-        found[kind][0] += reached
-        found[kind][1] += every
-    return found
 
 
 def print_not_covered(name, left):
@@ -148,10 +152,8 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         for number, (name, core_options) in enumerate(selected):
             name = name.removeprefix("core, ")
-            core, datas = kept(chosen.keep, name) or measure(chosen.hitpipe.resolve(), core_options, pathlib.Path(temporary) / str(number),
-                                                             chosen.jobs)
-            if chosen.keep:
-                keep(chosen.keep, name, core, datas)
+            core, datas, same = measure(chosen.hitpipe.resolve(), core_options, pathlib.Path(temporary) / str(number), chosen.jobs,
+                                        chosen.keep and chosen.keep.resolve() / name)
 
             def machine(module, core=core):
                 return machine_of(module, core)
@@ -159,20 +161,18 @@ def main():
             def of_core(module, core=core):
                 return module.startswith(core) and not module.endswith("_tb")
 
-            counts = joined(datas.values(), of_core)
-            print_modules(name, counts, machine)
+            counts = joined(datas, of_core)
+            found = shares(counts, same)
+            print_modules(name, found, machine)
             sys.stdout.flush()
-            reached = total(counts)
-            alone = [total(joined([data], of_core)) for data in datas.values()]
-            left = not_covered(counts, name, machine, rules)
-            without_reason = sum(max(len(bits), 1) for (reason, _, _), bits in left.items() if reason is None)
-            rows.append((name, *(f"{count:,} | {percent((done, count)):.1f}" for done, count in (reached[LINE], reached[TOGGLE])),
-                         *(f"{percent(each[TOGGLE]):.1f}" for each in alone), f"{without_reason:,}"))
+            left = not_covered(counts, same, name, machine, rules)
             lefts.append((name, left))
-            good = good and not without_reason and all(percent(reached[kind]) >= LEAST[kind] for kind in LEAST)
-    print("\n| core | lines | % | bits | % | testbench's bits % | harness's bits % | without a reason |\n|---|" + "--:|" * 7)
-    for row in rows:
-        print(f"| {' | '.join(row)} |")
+            without_reason = sum(max(len(bits), 1) for (reason, _, _), bits in left.items() if reason is None)
+            alone = " | ".join(f"{shares(joined([data], of_core), {})[None, TOGGLE].percent():.1f}" for data in datas)
+            rows.append(f"| {name} | {cells(found, None)} | {alone} | {without_reason:,} |")
+            good = good and not without_reason and all(found[None, kind].percent() >= LEAST[kind] for kind in LEAST)
+    print(f"\n| core | {HEAD} | testbench alone, bits % | harness alone, bits % | without a reason |\n|---|" + "--:|" * 9)
+    print("\n".join(rows))
     for name, left in lefts:
         print_not_covered(name, left)
     if not chosen.only:
@@ -180,17 +180,6 @@ def main():
             if not rule.used:
                 print(f"\nnot_covered.txt: all that {rule.text} names is reached")
     sys.exit(0 if good else 1)
-
-
-def kept(folder, name):
-    files = sorted(folder.glob(f"{name}.*.dat")) if folder else []
-    return (files[0].name.split(".")[1], {file.name.split(".")[2]: file.read_text() for file in reversed(files)}) if len(files) == 2 else None
-
-
-def keep(folder, name, core, datas):
-    folder.mkdir(parents=True, exist_ok=True)
-    for what, data in datas.items():
-        (folder / f"{name}.{core}.{what}.dat").write_text(data)
 
 
 if __name__ == "__main__":

@@ -29,18 +29,37 @@ def joined(datas, is_counted):
     return counts
 
 
-def shares(counts):
-    """(module, kind): [reached, all]."""
-    found = collections.defaultdict(lambda: [0, 0])
+class Share:
+    """How many points were reached."""
+
+    def __init__(self, reached=0, constant=0, every=0):
+        self.reached, self.constant, self.every = reached, constant, every
+
+    def add(self, is_reached, is_constant):
+        self.reached += is_reached
+        self.constant += is_constant
+        self.every += 1
+
+    def percent(self):
+        return 100 * self.reached / self.every if self.every else 100.0
+
+    def percent_of_what_changes(self):
+        return 100 * self.reached / (self.every - self.constant) if self.every > self.constant else 100.0
+
+
+def is_constant(point, constants):
+    """Of what was not reached: constants are (module, signal): bits."""
+    signal, bit = parts(point.name)
+    return point.kind == TOGGLE and (bit or 0) in constants.get((point.module, signal), ())
+
+
+def shares(counts, constants):
+    """(module, kind): Share. The module None is all of them."""
+    found = collections.defaultdict(Share)
     for point, count in counts.items():
-        found[point.module, point.kind][0] += count > 0
-        found[point.module, point.kind][1] += 1
+        for module in (point.module, None):
+            found[module, point.kind].add(count > 0, count == 0 and is_constant(point, constants))
     return found
-
-
-def percent(share):
-    reached, every = share
-    return 100 * reached / every if every else 100.0
 
 
 def parts(name):
@@ -99,11 +118,11 @@ def read_rules(text):
     return rules
 
 
-def not_covered(counts, configuration, machine, rules):
-    """(reason, module, what): bits or lines that were not reached; the reason is None if no rule names them."""
+def not_covered(counts, constants, configuration, machine, rules):
+    """(reason, module, what): bits or lines that were not reached; the reason is None if no rule names them. Constants are left out."""
     found = collections.defaultdict(set)
     for point, count in counts.items():
-        if count:
+        if count or is_constant(point, constants):
             continue
         module = machine(point.module)
         rule = next((rule for rule in rules if rule.names(configuration, module, point)), None)

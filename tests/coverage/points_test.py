@@ -3,7 +3,7 @@
 import sys
 
 sys.dont_write_bytecode = True
-from points import LINE, TOGGLE, joined, not_covered, percent, ranges, read_rules, shares
+from points import LINE, TOGGLE, Share, joined, not_covered, ranges, read_rules, shares
 
 
 def entry(kind, module, line, name, place, count):
@@ -49,18 +49,22 @@ def machine(module):
 
 
 counts = joined([BENCH, HARNESS], is_of_core)
-found = shares(counts)
-same(dict(found), {("core_walker", LINE): [2, 3], ("core_walker", TOGGLE): [2, 4], ("core_mul", TOGGLE): [1, 1], ("core_axi", TOGGLE): [0, 1]},
-     "what is reached")
-same([percent(found["core_walker", TOGGLE]), percent(found["core_mul", LINE])], [50.0, 100.0], "percent")
+CONSTANTS = {("core_walker", "trail"): {1, 2}, ("core_axi", "unused"): {0}}
+found = {key: (share.reached, share.constant, share.every) for key, share in shares(counts, CONSTANTS).items()}
+same(found, {("core_walker", LINE): (2, 0, 3), (None, LINE): (2, 0, 3), ("core_walker", TOGGLE): (2, 1, 4), ("core_mul", TOGGLE): (1, 0, 1),
+             ("core_axi", TOGGLE): (0, 1, 1), (None, TOGGLE): (3, 2, 6)}, "what is reached")
+same([Share(3, 2, 6).percent(), Share(3, 2, 6).percent_of_what_changes(), Share().percent(), Share(0, 1, 1).percent_of_what_changes()],
+     [50.0, 75.0, 100.0, 100.0], "percent")
 same(ranges([5, 3, 4, 9, 0]), "0,3:5,9", "bits")
 
 RULES = "# A note.\n\n* unused\nNobody reads it.\n\nsmall: walker trail[2:3]\nwalker tr*[3]\nwalker line_8\nToo far away.\n\naxi other\nNo use.\n"
 rules = read_rules(RULES)
-same(not_covered(counts, "small", machine, rules), {
+same(not_covered(counts, {}, "small", machine, rules), {
     ("Nobody reads it.", "axi", "unused"): [], ("Too far away.", "walker", "trail"): [2, 3], ("Too far away.", "walker", "line 8, if"): []},
     "what is left")
 same([rule.text for rule in rules if not rule.used], ["walker tr*[3]", "axi other"], "rules that name nothing")
-same(not_covered(counts, "default", machine, rules), {
+same(not_covered(counts, {}, "default", machine, rules), {
     ("Nobody reads it.", "axi", "unused"): [], ("Too far away.", "walker", "trail"): [3], (None, "walker", "trail"): [2],
     ("Too far away.", "walker", "line 8, if"): []}, "what is left of another core")
+same(not_covered(counts, CONSTANTS, "default", machine, rules), {
+    ("Too far away.", "walker", "trail"): [3], ("Too far away.", "walker", "line 8, if"): []}, "what is left but constants")
