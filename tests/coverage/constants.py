@@ -24,6 +24,15 @@ def instances(modules, module, path=""):
             yield from instances(modules, cell["type"], f"{path}{name}.")
 
 
+def plain(module):
+    """Yosys calls a module with parameters $paramod\\NAME\\VALUES."""
+    return module.split("\\")[1] if module.startswith("$paramod") else module
+
+
+def constant_bits(net):
+    return {bit for bit, value in enumerate(net["bits"]) if value in ("0", "1")} if net else set()
+
+
 def constants(files, top, folder):
     """(module, signal): the bits that are constant in every instance."""
     (folder / "constants.ys").write_text(SCRIPT.format(files=" ".join(map(str, files)), top=top))
@@ -32,14 +41,14 @@ def constants(files, top, folder):
         raise SystemExit(f"coverage: yosys: {done.stdout[-2000:]}")
     modules = json.loads((folder / "modules.json").read_text())["modules"]
     nets = json.loads((folder / "flat.json").read_text())["modules"][top]["netnames"]
-    places = collections.defaultdict(list)
+    places, signals = collections.defaultdict(list), collections.defaultdict(set)
     for path, module in instances(modules, top):
-        places[module].append(path)
+        places[plain(module)].append(path)
+        signals[plain(module)].update(modules[module]["netnames"])
     found = {}
     for module, paths in places.items():
-        for signal in modules[module]["netnames"]:
-            bits = [{bit for bit, value in enumerate(nets[path + signal]["bits"]) if value in ("0", "1")} if path + signal in nets else set()
-                    for path in paths]
-            if set.intersection(*bits):
-                found[module, signal] = set.intersection(*bits)
+        for signal in signals[module]:
+            bits = set.intersection(*(constant_bits(nets.get(path + signal)) for path in paths))
+            if bits:
+                found[module, signal] = bits
     return found

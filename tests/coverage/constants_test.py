@@ -8,12 +8,13 @@ sys.dont_write_bytecode = True
 from constants import constants
 
 TEXT = """\
-module part (
+module part #(parameter BIT = 0) (
   input  wire clk,
   input  wire [3:0] a,
   output reg [3:0] b
 );
   wire [7:0] wide = {4'd5, a};
+  wire [1:0] place = 2'd1 << BIT;
   always @(posedge clk) b <= wide[3:0];
 endmodule
 module top (
@@ -23,11 +24,11 @@ module top (
   output wire [3:0] c
 );
   wire unused = &{1'b0, a[0]};
-  part one (.clk(clk), .a({a[3:1], 1'b0}), .b(b));
-  part other (.clk(clk), .a({a[3], 3'd0}), .b(c));
+  part #(.BIT(0)) one (.clk(clk), .a({a[3:1], 1'b0}), .b(b));
+  part #(.BIT(1)) other (.clk(clk), .a({a[3], 3'd0}), .b(c));
 endmodule
 """
-EXPECTED = {("top", "unused"): {0}, ("top", "b"): {0}, ("top", "c"): {0, 1, 2}, ("part", "a"): {0}, ("part", "b"): {0},
+EXPECTED = {("top", "unused"): {0}, ("top", "b"): {0}, ("top", "c"): {0, 1, 2}, ("part", "a"): {0}, ("part", "b"): {0}, ("part", "place"): {0, 1},
             ("part", "wide"): {0, 4, 5, 6, 7}}
 
 with tempfile.TemporaryDirectory() as folder:
