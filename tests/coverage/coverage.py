@@ -132,14 +132,25 @@ def print_modules(name, found, machine):
         print(f"| {machine(module)} | {cells(found, module)} |")
 
 
-def print_not_covered(name, left):
-    """Lines of Markdown: a reason, and below it what it is the reason of."""
-    for reason in sorted({reason for reason, _, _ in left}, key=str):
-        entries = [(module, what, bits) for (of, module, what), bits in sorted(left.items(), key=str) if of == reason]
-        count = sum(max(len(bits), 1) for _, _, bits in entries)
-        print(f"\n{name}, {count:,}: {reason or 'NO REASON'}")
-        for module, what, bits in entries:
-            print(f"  {module}: {what}" + (f"[{ranges(bits)}]" if bits else ""))
+def size(bits):
+    """Of an entry of what is not covered: a signal of one bit, and a line, have no bits."""
+    return max(len(bits), 1)
+
+
+def print_reasons(lefts):
+    """How many bits and lines of each core have each reason, and what they are."""
+    print(f"\n| not reached, as | {' | '.join(name for name, _ in lefts)} |\n|---|" + "--:|" * len(lefts))
+    reasons = dict.fromkeys(reason for _, left in lefts for reason, _, _ in left)
+    for reason in reasons:
+        counts = [sum(size(bits) for (of, _, _), bits in left.items() if of == reason) for _, left in lefts]
+        print(f"| {reason or 'NO REASON'} | {' | '.join(f'{count:,}' for count in counts)} |")
+    for name, left in lefts:
+        for reason in reasons:
+            entries = [(module, what, bits) for (of, module, what), bits in sorted(left.items(), key=str) if of == reason]
+            if entries:
+                print(f"\n{name}: {reason or 'NO REASON'}")
+            for module, what, bits in entries:
+                print(f"  {module}: {what}" + (f"[{ranges(bits)}]" if bits else ""))
 
 
 def main():
@@ -173,14 +184,13 @@ def main():
             sys.stdout.flush()
             left = not_covered(counts, same, name, machine, rules)
             lefts.append((name, left))
-            without_reason = sum(max(len(bits), 1) for (reason, _, _), bits in left.items() if reason is None)
+            without_reason = sum(size(bits) for (reason, _, _), bits in left.items() if reason is None)
             alone = " | ".join(f"{shares(joined([data], of_core), {})[None, TOGGLE].percent():.1f}" for data in datas)
             rows.append(f"| {name} | {cells(found, None)} | {alone} | {without_reason:,} |")
             good = good and not without_reason and all(found[None, kind].percent() >= LEAST[kind] for kind in LEAST)
     print(f"\n| core | {HEAD} | testbench alone, bits % | harness alone, bits % | without a reason |\n|---|" + "--:|" * 9)
     print("\n".join(rows))
-    for name, left in lefts:
-        print_not_covered(name, left)
+    print_reasons(lefts)
     if not chosen.only:
         for rule in rules:
             if not rule.used:
