@@ -36,7 +36,8 @@ def constant_bits(net):
 def constants(files, top, folder):
     """(module, signal): the bits that are constant in every instance."""
     (folder / "constants.ys").write_text(SCRIPT.format(files=" ".join(map(str, files)), top=top))
-    done = subprocess.run(["yosys", "-q", "-s", "constants.ys"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace")
+    done = subprocess.run(["yosys", "-q", "-s", "constants.ys"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          errors="replace")
     if done.returncode != 0:
         raise SystemExit(f"coverage: yosys: {done.stdout[-2000:]}")
     modules = json.loads((folder / "modules.json").read_text())["modules"]

@@ -28,7 +28,8 @@ module top (
   part #(.BIT(1)) other (.clk(clk), .a({a[3], 3'd0}), .b(c));
 endmodule
 """
-EXPECTED = {("top", "unused"): {0}, ("top", "b"): {0}, ("top", "c"): {0, 1, 2}, ("part", "a"): {0}, ("part", "b"): {0}, ("part", "place"): {0, 1},
+EXPECTED = {("top", "unused"): {0}, ("top", "b"): {0}, ("top", "c"): {0, 1, 2}, ("part", "a"): {0},
+            ("part", "b"): {0}, ("part", "place"): {0, 1},
             ("part", "wide"): {0, 4, 5, 6, 7}}
 
 with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The reader of coverage files on a small text: instances and simulations are joined, rules name what is left, constants are not reached."""
+"""The reader of coverage files on a small text: instances and simulations are joined, and rules name what is left."""
 import sys
 
 sys.dont_write_bytecode = True
@@ -57,7 +57,8 @@ same([Share(3, 2, 6).percent(), Share(3, 2, 6).percent_of_what_changes(), Share(
      [50.0, 75.0, 100.0, 100.0], "percent")
 same(ranges([5, 3, 4, 9, 0]), "0,3:5,9", "bits")
 
-RULES = "# A note.\n\n* unused\nNobody reads it.\n\nsmall: walker trail[2:3]\nwalker tr*[3]\nwalker line_8\nToo far away.\n\naxi other\nNo use.\n"
+RULES = ("# A note.\n\n* unused\nNobody reads it.\n\n"
+         "small: walker trail[2:3]\nwalker tr*[3]\nwalker line_8\nToo far away.\n\naxi other\nNo use.\n")
 rules = read_rules(RULES)
 same(not_covered(counts, {}, "small", machine, rules), {
     ("Nobody reads it.", "axi", "unused"): [], ("Too far away.", "walker", "trail"): [2, 3], ("Too far away.", "walker", "line 8, if"): []},
