@@ -63,15 +63,15 @@ def shares(counts, constants):
 
 
 def parts(name):
-    """A signal and its bit; None if it has only one."""
-    found = re.fullmatch(r"([^\[]*)(?:\[(\d+)\])?", name)
+    """A signal and its bit, or the word of a memory; None if it has only one bit."""
+    found = re.fullmatch(r"([^\[]*)(?:\[(\d+)\])?(?:\[\d+\])?", name)
     return (found[1], found[2] and int(found[2])) if found else (name, None)
 
 
 def ranges(bits):
     """`0,16:31`: bits that follow each other are LOW:HIGH."""
     runs = []
-    for bit in sorted(bits):
+    for bit in sorted(set(bits)):
         if runs and runs[-1][1] == bit - 1:
             runs[-1][1] = bit
         else:
@@ -120,7 +120,7 @@ def read_rules(text):
 
 def not_covered(counts, constants, configuration, machine, rules):
     """(reason, module, what): bits or lines that were not reached; the reason is None if no rule names them. Constants are left out."""
-    found = collections.defaultdict(set)
+    found = collections.defaultdict(list)
     for point, count in counts.items():
         if count or is_constant(point, constants):
             continue
@@ -130,5 +130,5 @@ def not_covered(counts, constants, configuration, machine, rules):
             rule.used = True
         signal, bit = parts(point.name)
         key = (rule.reason if rule else None, module, f"line {point.line}, {point.name}" if point.kind == LINE else signal)
-        found[key].add(bit if point.kind == TOGGLE else None)
+        found[key].append(bit if point.kind == TOGGLE else None)
     return {key: sorted(bit for bit in bits if bit is not None) for key, bits in found.items()}
