@@ -8,7 +8,7 @@ THREADED := ^host/|sw_ref/trace/|int_tracer_test
 # TEST_PATH=FOLDER: tests find programs in that folder only.
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
-.PHONY: demo test test-long test-designs build lint format bench sanitize threads fuzz mutants prove prove-all-widths netlists hls-check alone fresh packages clean help
+.PHONY: demo test test-long test-designs build lint format bench sanitize threads fuzz mutants coverage prove prove-all-widths netlists hls-check alone fresh packages clean help
 
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
@@ -22,6 +22,7 @@ help:
 	@echo 'make threads   tests of what runs in several threads, under ThreadSanitizer'
 	@echo 'make fuzz      libFuzzer, SECONDS=60 in all: loaders, command line, what is printed'
 	@echo 'make mutants   3,000 faults in the Verilog of cores and units; MUTANTS="--seed 2 --core-faults 50" chooses others'
+	@echo 'make coverage  lines and bits of cores that their own testbenches and harnesses reach; COVERAGE="--only small" takes one core'
 	@echo 'make prove     the Verilog equals its combinational form: yosys and z3; DESIGN=x BITS=y II=N proves one unit'
 	@echo 'make prove-all-widths  int_major never misses, for all widths: Coq'
 	@echo 'make netlists  the netlists in chip cells and standard cells equal the C++ for 10^5 vectors a design'
@@ -76,6 +77,10 @@ fuzz: packages
 # MUTANTS: options of tests/mutants/mutants.py.
 mutants: build
 	@tests/mutants/mutants.py build/hitpipe --jobs $(JOBS) $(MUTANTS)
+
+# COVERAGE: options of tests/coverage/coverage.py.
+coverage: build
+	@tests/coverage/coverage.py build/hitpipe --jobs $(JOBS) $(COVERAGE)
 
 bench: build
 	@cmake --build --preset release -j $(JOBS) --target benchmarks
