@@ -25,10 +25,12 @@ class Host {
   // Sends so many rays, and compares the answers. Where something is wrong, `why` is why a ray may fail. If
   // `spoils`, every third ray is none; if `few`, it may be that none fails.
   void trace(size_t count, uint64_t why = 0, bool spoils = false, bool few = false) {
-    in_flight_.assign(CORE_RAYS, rays_.size());
+    in_flight_.clear();
     free_tags_.clear();
-    for (size_t tag = 0; tag < in_flight_.size(); ++tag)
-      if (CORE_TAG_BITS > 8 || tag < size_t{1} << CORE_TAG_BITS % 16) free_tags_.push_back(tag);
+    // Any tags that differ: the step is odd.
+    constexpr uint64_t largest = ~uint64_t{0} >> (64 - CORE_TAG_BITS);
+    const uint64_t step = (static_cast<uint64_t>(system_.random()) << 32 | system_.random()) | 1;
+    for (uint64_t i = 0; i < CORE_RAYS && i <= largest; ++i) free_tags_.push_back(i * step & largest);
     sent_ = answered_ = hits = failed = 0;
     for (uint64_t silent = 0; answered_ < count; ++silent) {
       if (silent > 1'000'000) fail("no answer; answered", answered_);
@@ -116,15 +118,15 @@ class Host {
     top.s_axis_ray_tvalid = offers_ && sent_ < count && !free_tags_.empty();
     taken_ = top.s_axis_ray_tvalid && top.s_axis_ray_tready;
     if (top.s_axis_ray_tvalid) {
-      top.s_axis_ray_tid = free_tags_.back();
+      top.s_axis_ray_tid = static_cast<std::remove_reference_t<decltype(top.s_axis_ray_tid)>>(free_tags_.front());
       core_ray ray = rays_[sent_].ray;
       if (spoils && sent_ % 3 == 0) SPOIL;
       uint8_t bytes[CORE_RAY_BYTES];
       core_pack_ray(bytes, &ray);
       put_bytes(top.s_axis_ray_tdata, bytes, CORE_RAY_BYTES);
       if (taken_) {
-        in_flight_[free_tags_.back()] = sent_++;
-        free_tags_.pop_back();
+        in_flight_[free_tags_.front()] = sent_++;
+        free_tags_.pop_front();
       }
     }
     top.m_axis_hit_tready = takes && !system_.random.one_in(4);
@@ -135,8 +137,9 @@ class Host {
   }
   void take(uint64_t why, bool spoils) {
     const core_hit hit = hit_of(system_.top);
-    size_t& place = in_flight_.at(system_.top.m_axis_hit_tid);
-    if (place == rays_.size()) fail("an answer of no ray, tag", system_.top.m_axis_hit_tid);
+    const auto found = in_flight_.find(system_.top.m_axis_hit_tid);
+    if (found == in_flight_.end()) fail("an answer of no ray, tag", system_.top.m_axis_hit_tid);
+    const size_t place = found->second;
     const Ray& ray = rays_[place];
     const bool same = ray.ray.any ? (hit.number != CORE_NO_HIT) == (ray.number != CORE_NO_HIT)
                               : hit.number == ray.number && hit.t == ray.tWEIGHTS_SAME;
@@ -144,7 +147,7 @@ class Host {
     if (spoils && (place % 3 == 0) != (hit.failed != 0)) fail("the answer of a ray that is none or is one", place);
     failed += hit.failed != 0;
     hits += !hit.failed && hit.number != CORE_NO_HIT;
-    place = rays_.size();
+    in_flight_.erase(found);
     free_tags_.push_back(system_.top.m_axis_hit_tid);
     ++answered_;
   }
@@ -152,7 +155,8 @@ class Host {
   System& system_;
   const std::vector<Ray>& rays_;
   uint64_t blocks_;
-  std::vector<size_t> in_flight_, free_tags_;
+  std::map<uint64_t, size_t> in_flight_;  // rays by tag
+  std::deque<uint64_t> free_tags_;
   size_t sent_ = 0, answered_ = 0;
   bool offers_ = false, taken_ = false;
 };

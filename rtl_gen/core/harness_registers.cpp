@@ -14,6 +14,7 @@ const std::string_view harness_registers =
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
+#include <map>
 #include <type_traits>
 #include <vector>
 

@@ -153,6 +153,7 @@ class System {
     if (now.request && now.address % CORE_BLOCK_BYTES != 0) fail("a request between two blocks, address", now.address);
     if (top.m_axi_arlen != beats - 1 || 1u << top.m_axi_arsize != CORE_BLOCK_BYTES / beats || top.m_axi_arburst != 1)
       fail("the size of a request, beats", top.m_axi_arlen);
+    if (top.m_axi_arcache != 3 || top.m_axi_arprot != 0) fail("the kind of a request, arcache", top.m_axi_arcache);
     now.request = now.request && !top.m_axi_arready;
     now.answer = now.answer && !top.m_axis_hit_tready;
     waits_ = now;

@@ -110,7 +110,8 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
   inputs_[at_[base]] = options.base;
   inputs_[at_[last]] = (options.blocks == 0 ? image.blocks.size() : options.blocks) - 1;
   inputs_[at_[most_steps]] = options.most_steps;
-  inputs_[at_[most_rays]] = options.unruly ? 1 : static_cast<Word>(core.options.rays);
+  inputs_[at_[most_rays]] =
+      static_cast<Word>(options.unruly ? (core.options.rays + 3) / 4 : core.options.rays);
   machine_.outputs(outputs_.data());
   machine_.step(inputs_.data(), true);
 }
@@ -144,16 +145,20 @@ void CoreBench::put_random(std::size_t place, std::size_t count) {
 
 void CoreBench::let_more_rays() {
   Word& rays = inputs_[at_[most_rays]];
-  const auto slowly = static_cast<std::uint64_t>(core_.options.rays);
-  if (rays < rtl::ones_below(widths_[at_[most_rays]]) && random_.below(1 + 100 / slowly) == 0) ++rays;
+  if (counts_.cycles % 250 == 249) rays = std::min(2 * rays + 1, rtl::ones_below(widths_[at_[most_rays]]));
 }
 
-void CoreBench::show(const CoreJob& job, std::size_t tag) {
+void CoreBench::show(const CoreJob& job) {
   std::vector<Word> fields = ray_fields(core_, job);
   const int wild = options_.wild_percent;
   if (wild > 0 && random_.below(100) < static_cast<std::uint64_t>(wild)) spoil(fields);
   std::copy(fields.begin(), fields.end(), inputs_.begin() + static_cast<std::ptrdiff_t>(at_[ray_any]));
-  inputs_[at_[ray_tag]] = tag;
+}
+
+Word CoreBench::tag_of(std::size_t place, std::size_t places) {
+  if (!options_.unruly) return place;
+  const Word last = rtl::ones_below(core_.options.tag_bits);
+  return place + places * (random_.bits() % ((last - place) / places + 1));
 }
 
 void CoreBench::check_alive(bool asks, bool asked, bool answers) {
@@ -239,7 +244,10 @@ bool CoreBench::World::offer() {
     if (bench_.options_.unruly) bench_.put_random(at[ray_tag], at[Hits::ready] - at[ray_tag]);
     return false;
   }
-  if (!shown_) bench_.show(jobs_[places_[waiting_.front()].job], waiting_.front());
+  if (!shown_) {
+    bench_.show(jobs_[places_[waiting_.front()].job]);
+    bench_.inputs_[at[ray_tag]] = bench_.tag_of(waiting_.front(), places_.size());
+  }
   shown_ = out(at[ray_ready]) == 0;
   if (shown_) return false;
   waiting_.pop_front();
@@ -273,10 +281,11 @@ bool CoreBench::World::request() {
 std::optional<std::size_t> CoreBench::World::answer() {
   const Places& at = bench_.at_;
   const int held = bench_.options_.held_percent;
-  const bool takes = held == 0 || bench_.random_.below(100) >= static_cast<std::uint64_t>(held);
+  const bool full = bench_.options_.unruly && bench_.counts_.cycles % 512 >= 384;
+  const bool takes = !full && (held == 0 || bench_.random_.below(100) >= static_cast<std::uint64_t>(held));
   bench_.inputs_[at[Hits::ready]] = takes ? 1 : 0;
   if (!takes || out(at[Hits::valid]) == 0) return std::nullopt;
-  const auto tag = static_cast<std::size_t>(out(at[Hits::tag]));
+  const auto tag = static_cast<std::size_t>(out(at[Hits::tag]) % places_.size());
   if (tag >= places_.size() || places_[tag].answered ||
       std::find(waiting_.begin(), waiting_.end(), tag) != waiting_.end())
     throw std::logic_error(

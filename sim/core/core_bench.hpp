@@ -60,8 +60,8 @@ struct CoreBenchOptions {
   int gap_percent = 0;                        ///< of all cycles begin to offer no ray, at random, 0..99
   std::uint64_t blocks = 0;                   ///< that the image is said to have; 0: as many as it has
   int wild_percent = 0;                       ///< of all rays have other numbers in some fields, 0..100
-  /// Twice as many rays are offered as the core has room for, most_rays grows from 1 to its largest number, and ports
-  /// have random words while they say nothing.
+  /// Twice as many rays are offered as the core has room for, with any tags; most_rays grows from few to its largest
+  /// number; answers wait for long; and ports have random words while they say nothing.
   bool unruly = false;
   std::uint64_t seed = 1;
 };
@@ -88,7 +88,9 @@ class CoreBench {
   /// The rays in flight, for run_rays(). A ray's place is its tag.
   class World;
 
-  void show(const CoreJob& job, std::size_t tag);
+  void show(const CoreJob& job);
+  /// One of those that are the place, modulo the number of places.
+  rtl::Word tag_of(std::size_t place, std::size_t places);
   void spoil(std::vector<rtl::Word>& fields);
   void put_random(std::size_t place, std::size_t count);
   void let_more_rays();

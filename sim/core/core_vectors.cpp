@@ -127,20 +127,44 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
     return ref::int_scene(scene, world,
                           {.build = {.builder = ref::Builder::sah, .max_triangles = most_in_leaf}});
   };
-  const Traced mesh = traced(options, 200, [&](std::uint32_t triangles) {
+  // Walks are long, and some begin again.
+  const Traced mesh = traced(options, 84, [&](std::uint32_t triangles) {
+    const std::uint32_t some = triangles / 4;
+    return chained(in_world(joined(random_scene(triangles - some, 0.4F, random), lattice.scene(some)), 4),
+                   std::min(options.levels - 1, 40), random);
+  });
+  // A ray takes some 20 cycles for each block, so these have few.
+  const Traced some = traced(options, 16, [&](std::uint32_t triangles) {
     return in_world(
-        joined(random_scene(triangles - triangles / 4, 0.4F, random), lattice.scene(triangles / 4)), 4);
+        joined(random_scene(triangles - triangles / 4, 0.4F, random), largest_scene(triangles / 4, random)),
+        4);
   });
   const Traced small =
-      traced(options, 40, [&](std::uint32_t triangles) { return in_world(lattice.scene(triangles), 2); });
-  const Traced deep = traced(options, 120, [&](std::uint32_t triangles) {
-    return chained(in_world(random_scene(triangles, 1.0F, random), 2),
-                   static_cast<std::size_t>(options.levels) - 1, random);
+      traced(options, 20, [&](std::uint32_t triangles) { return in_world(lattice.scene(triangles), 2); });
+  // A stack has less places, so walks begin again.
+  const int places = 1 << options.stack_bits;
+  const Traced chain = traced(options, static_cast<std::uint32_t>(4 * places), [&](std::uint32_t triangles) {
+    return chained(in_world(largest_scene(triangles, random), 2), options.levels - 1, random);
+  });
+  // Rays pass 30 levels before they meet much.
+  const Traced deep = traced(options, 36, [&](std::uint32_t triangles) {
+    const std::uint32_t large = triangles / 6;
+    return chained(
+        in_world(joined(random_scene(triangles - large, 0.05F, random), random_scene(large, 1.0F, random)),
+                 2),
+        options.levels - 1, random);
   });
   const auto job = [&]() -> CoreJob {
     ref::Ray ray{.origin = random_point(random), .direction = random_point(random)};
     ray.length = std::ldexp(1.0F, random.between(-6, 3));
     return {ray, random.below(3) == 0};
+  };
+  const auto aimed_job = [&]() -> CoreJob {
+    CoreJob made = job();
+    if (random.below(3) != 0) made.ray.length = ref::Ray::infinite;
+    made.ray.direction = middle_of_one(some.scene, random) - made.ray.origin;
+    if (made.ray.direction == glm::vec3(0)) made.ray.direction.x = 1.0F;
+    return made;
   };
   const auto lattice_job = [&]() -> CoreJob { return {lattice.ray(), random.below(4) == 0}; };
   const auto nearest_job = [&]() -> CoreJob {
@@ -148,46 +172,55 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   };
   const auto no_ray = [&]() -> CoreJob {
     CoreJob made = lattice_job();
-    made.none = random.below(2) == 0;
+    made.none = random.below(64) != 0;
     return made;
   };
 
-  const ref::CoreImage broken = damaged(small.image, options, random);
+  // Numbers that differ in one or two bits, and all others are 1 in one image and 0 in the other.
+  const auto number = static_cast<std::uint32_t>(random.bits());
+  const auto alike = [&](std::uint32_t) { return number ^ 1U << random.between(0, 31); };
+  const ref::CoreImage tied = renumbered(small.image, alike);
+  const ref::CoreImage also_tied = renumbered(tied, [](std::uint32_t each) { return ~each; });
+  const ref::CoreImage broken = damaged(renumbered(some.image, alike), options, random);
+  // In the same order, and with bits in all places.
+  const std::uint32_t step = ~0U / (mesh.image.header.triangles + mesh.image.header.missing + 1);
+  const auto spread = [&](std::uint32_t each) { return each * step + step / 2; };
   const auto all_blocks = static_cast<std::uint64_t>(rtl::ones_below(options.address_bits)) + 1;
   const auto last_base = static_cast<std::uint64_t>(rtl::ones_below(options.byte_bits - 6));
   const Episode episodes[] = {
-      {20,
-       mesh.image,
-       job,
+      {16,
+       some.image,
+       aimed_job,
        {.least_latency = 1, .most_latency = 40, .refused_percent = 10},
        {.base = 2, .held_percent = 30}},
-      {20, small.image, lattice_job, {.least_latency = 1, .most_latency = 4}, {.base = last_base}},
-      {20,
-       small.image,
+      {16, tied, lattice_job, {.least_latency = 1, .most_latency = 4}, {.base = last_base}},
+      {14,
+       also_tied,
        lattice_job,
-       {.least_latency = 1, .most_latency = 10},
-       {.most_steps = 100, .wild_percent = 100, .unruly = true}},
-      {15, deep.image, nearest_job, {.least_latency = 1, .most_latency = 4}, {.unruly = true}},
-      {5,
+       {.least_latency = 1, .most_latency = 4},
+       {.most_steps = 20, .wild_percent = 100, .unruly = true}},
+      {18, chain.image, nearest_job, {.least_latency = 1, .most_latency = 1}, {.unruly = true}},
+      {14, deep.image, nearest_job, {.least_latency = 1, .most_latency = 1}, {.unruly = true}},
+      {4,
        small.image,
        no_ray,
        {.least_latency = 1, .most_latency = 20, .refused_percent = 60},
-       {.held_percent = 80, .gap_percent = 60}},
-      {5,
+       {.held_percent = 99}},
+      {4,
        small.image,
        lattice_job,
        {.least_latency = 1, .most_latency = 20, .error_percent = 5},
        {.most_steps = 5, .gap_percent = 90}},
-      {5,
+      {4,
        small.image,
        lattice_job,
        {.least_latency = 1, .most_latency = 10},
-       {.base = last_base - 1, .held_percent = 95, .blocks = small.image.blocks.size() / 2}},
+       {.base = last_base - 1, .held_percent = 80, .blocks = small.image.blocks.size() / 2}},
       {10,
        broken,
        lattice_job,
-       {.least_latency = 1, .most_latency = 10},
-       {.most_steps = 40, .blocks = all_blocks, .unruly = true}},
+       {.least_latency = 1, .most_latency = 4},
+       {.most_steps = 20, .blocks = all_blocks, .unruly = true}},
   };
   Recorder recorder(core);
   int percent = 0;
@@ -198,8 +231,9 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
     record(core, recorder, episode);
   }
 
-  rtl::CoreTest test{
-      .cycles = std::move(recorder.cycles), .scene = {.blocks = mesh.image.blocks, .rays = {}}, .units = {}};
+  rtl::CoreTest test{.cycles = std::move(recorder.cycles),
+                     .scene = {.blocks = renumbered(mesh.image, spread).blocks, .rays = {}},
+                     .units = {}};
   for (const rtl::Part& part : core.parts)
     if (part.pipeline)
       test.units.push_back(design_vectors(*part.design, part.format, unit_vectors, random.bits()));
@@ -210,6 +244,8 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
     const CoreJob made = i % 2 == 0 ? job() : lattice_job();
     const ref::TraceCounts read = read_for(walk, made);
     test.scene.rays.push_back(asked(core, made, mesh.scene.mesh));
+    if (test.scene.rays.back().number != ref::IntHit::none)
+      test.scene.rays.back().number = spread(static_cast<std::uint32_t>(test.scene.rays.back().number));
     test.scene.rays.back().records = read.nodes_loaded;
     test.scene.rays.back().triangles = read.triangles_loaded;
   }

@@ -28,15 +28,31 @@ glm::vec3 random_point(Random& random) {
   return {x, y, z};
 }
 
-ref::Scene random_scene(std::uint32_t triangles, float size, Random& random) {
+namespace {
+
+/// Of corners that are drawn for each triangle.
+template <class Draw>
+ref::Scene scene_of(std::uint32_t triangles, const Draw& corner) {
   ref::Scene scene;
   for (std::uint32_t i = 0; i < triangles; ++i) {
-    const glm::vec3 corner = random_point(random);
     scene.mesh.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
-    for (int other = 0; other < 3; ++other)
-      scene.mesh.vertices.push_back(glm::clamp(corner + size * random_point(random), -1.0F, 1.0F));
+    for (int each = 0; each < 3; ++each) scene.mesh.vertices.push_back(corner(each));
   }
   return scene;
+}
+
+}  // namespace
+
+ref::Scene random_scene(std::uint32_t triangles, float size, Random& random) {
+  glm::vec3 middle{};
+  return scene_of(triangles, [&](int corner) {
+    if (corner == 0) middle = random_point(random);
+    return glm::clamp(middle + size * random_point(random), -1.0F, 1.0F);
+  });
+}
+
+ref::Scene largest_scene(std::uint32_t triangles, Random& random) {
+  return scene_of(triangles, [&](int) { return glm::sign(random_point(random)); });
 }
 
 ref::Scene joined(ref::Scene scene, const ref::Scene& other) {
@@ -45,6 +61,12 @@ ref::Scene joined(ref::Scene scene, const ref::Scene& other) {
                              other.mesh.vertices.end());
   for (const glm::uvec3& triangle : other.mesh.triangles) scene.mesh.triangles.push_back(triangle + before);
   return scene;
+}
+
+glm::vec3 middle_of_one(const ref::IntScene& scene, Random& random) {
+  const ref::Mesh& mesh = scene.mesh.mesh;
+  const glm::uvec3& corners = mesh.triangles[random.below(mesh.triangles.size())];
+  return (mesh.vertices[corners.x] + mesh.vertices[corners.y] + mesh.vertices[corners.z]) / 3.0F;
 }
 
 Lattice::Lattice(int coord_bits, Random& random)
@@ -78,7 +100,9 @@ float Lattice::at(int steps) const {
   return static_cast<float>(static_cast<double>(steps * step_) / half_);
 }
 glm::vec3 Lattice::place() {
-  const float x = at(random_.between(-3, 3)), y = at(random_.between(-3, 3)), z = at(random_.between(-3, 3));
+  const int step = random_.coin() ? 1 : 3;
+  const auto one = [&] { return at(step * random_.between(-3 / step, 3 / step)); };
+  const float x = one(), y = one(), z = one();
   return {x, y, z};
 }
 
@@ -93,11 +117,11 @@ Traced traced(const rtl::CoreOptions& options, std::uint32_t triangles,
   }
 }
 
-ref::IntScene chained(ref::IntScene scene, std::size_t branches, Random& random) {
+ref::IntScene chained(ref::IntScene scene, int branches, Random& random) {
   const ref::Mesh& mesh = scene.mesh.mesh;
   std::vector<std::uint32_t> numbers(mesh.triangles.size());
   std::iota(numbers.begin(), numbers.end(), 0U);
-  const std::size_t leaves = std::min(branches + 1, numbers.size());
+  const std::size_t leaves = std::min(static_cast<std::size_t>(branches) + 1, numbers.size());
   // Each leaf has a triangle, and then one of them gets the next.
   std::vector<std::int32_t> counts(leaves, 1);
   for (std::size_t i = leaves; i < numbers.size(); ++i) ++counts[random.below(leaves)];
@@ -115,7 +139,8 @@ ref::IntScene chained(ref::IntScene scene, std::size_t branches, Random& random)
     bvh.nodes[branch].count = -1;
     bvh.nodes[branch].first = static_cast<std::uint32_t>(children);
     bvh.nodes.resize(children + 2);
-    const std::size_t which = random.below(2);
+    // Of equally near children the first is visited, and the other one put on the stack.
+    const std::size_t which = random.below(8) == 0 ? 0 : 1;
     make_leaf(children + which, leaf);
     branch = children + 1 - which;
   }
@@ -123,6 +148,18 @@ ref::IntScene chained(ref::IntScene scene, std::size_t branches, Random& random)
   bvh.depth = static_cast<int>(leaves);
   scene.bvh = ref::refitted(bvh, mesh, numbers);
   return scene;
+}
+
+ref::CoreImage renumbered(ref::CoreImage image, const std::function<std::uint32_t(std::uint32_t)>& number) {
+  const int grid = image.header.coord_bits;
+  const auto triangle_kind = static_cast<std::uint64_t>(hls::kind_byte(hls::triangle_block, grid));
+  for (ref::CoreBlock& block : image.blocks) {
+    if (block.back() >> 56 != triangle_kind) continue;
+    ref::CoreTriangle triangle = ref::triangle_of(block);
+    triangle.number = number(triangle.number);
+    block = to_block(triangle, grid);
+  }
+  return image;
 }
 
 ref::CoreImage damaged(ref::CoreImage image, const rtl::CoreOptions& options, Random& random) {
@@ -140,7 +177,7 @@ ref::CoreImage damaged(ref::CoreImage image, const rtl::CoreOptions& options, Ra
     const bool is_record = block.back() >> 56 == record_kind;
     if (random.below(is_record ? 2 : 8) != 0) continue;
     ref::CoreRecord record = ref::record_of(block);
-    switch (random.between(0, is_record ? 5 : 1)) {
+    switch (random.between(0, is_record ? 6 : 1)) {
       case 0:
         block = {};
         break;
@@ -148,10 +185,12 @@ ref::CoreImage damaged(ref::CoreImage image, const rtl::CoreOptions& options, Ra
         block.back() ^= std::uint64_t{1} << random.between(56, 63);
         break;
       case 2:
-        record.pointer = static_cast<std::uint32_t>(random.bits() >> random.between(32, 63));
+      case 3:
+        record.pointer = static_cast<std::uint32_t>(
+            random.bits() >> (64 - random.between(1, random.coin() ? 32 : options.address_bits)));
         block = to_block(record, grid);
         break;
-      case 3:
+      case 4:
         // The second child is behind the last number of a block, or of half as many.
         record.pointer =
             static_cast<std::uint32_t>(rtl::ones_below(options.address_bits - random.between(0, 1)));

@@ -18,6 +18,8 @@ namespace hitpipe::sim {
 
 /// Each triangle has its corners at most 2 * `size` from each other on an axis. 0 < size <= 1.
 [[nodiscard]] ref::Scene random_scene(std::uint32_t triangles, float size, ref::adversary::Random& random);
+/// The triangles' corners are corners of the cube. Some have no area.
+[[nodiscard]] ref::Scene largest_scene(std::uint32_t triangles, ref::adversary::Random& random);
 [[nodiscard]] ref::Scene joined(ref::Scene scene, const ref::Scene& other);
 
 /// Corners and origins have few places, and directions are 0 or as long as can be on each axis. So rays meet corners
@@ -38,6 +40,9 @@ class Lattice {
   int half_, step_;
 };
 
+/// Of a triangle's corners.
+[[nodiscard]] glm::vec3 middle_of_one(const ref::IntScene& scene, ref::adversary::Random& random);
+
 struct Traced {
   ref::IntScene scene;
   ref::CoreImage image;
@@ -49,9 +54,11 @@ struct Traced {
 
 /// With a hierarchy in which each branch has a leaf and the next branch, and the last two leaves. It has so many branches,
 /// or as many as the triangles allow.
-[[nodiscard]] ref::IntScene chained(ref::IntScene scene, std::size_t branches,
-                                    ref::adversary::Random& random);
+[[nodiscard]] ref::IntScene chained(ref::IntScene scene, int branches, ref::adversary::Random& random);
 
+/// A triangle gets the number that is made of its own. The header stays.
+[[nodiscard]] ref::CoreImage renumbered(ref::CoreImage image,
+                                        const std::function<std::uint32_t(std::uint32_t)>& number);
 /// Some blocks are of another kind or not there, and some records have another pointer or other children.
 [[nodiscard]] ref::CoreImage damaged(ref::CoreImage image, const rtl::CoreOptions& options,
                                      ref::adversary::Random& random);

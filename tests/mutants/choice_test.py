@@ -84,5 +84,10 @@ first = faults[0]
 entry = f"# A note.\n\ncounter\n{first.before.strip()}\n{first.after.strip()}\nNobody reads it.\n"
 if Known(entry).reason("counter", first) != "Nobody reads it." or Known(entry).reason("counter", faults[1]):
     fail("the list of equivalent faults is read wrongly")
+patterns = "/count.*/\n/.* <= .*/\n;\nIt begins with any.\n"
+if [fault for fault in faults if Known(patterns).reason("counter", fault) and fault.after.strip() != ";"]:
+    fail("a pattern of equivalent faults fits too many")
+if not [fault for fault in faults if Known(patterns).reason("counter", fault)]:
+    fail("a pattern of equivalent faults fits none")
 if machine_of("hitpipe_core_8p0_4s8_door", "hitpipe_core_8p0_4s8") != "door" or machine_of("int_slabs", "int_slabs") != "int_slabs":
     fail("a machine has another name")

@@ -1,4 +1,5 @@
 """The survivors that people have found to be equivalent, in equivalent.txt: the reason of each."""
+import re
 
 
 def machine_of(module, top):
@@ -8,8 +9,15 @@ def machine_of(module, top):
     return module[len(top) + 1:] or "core"
 
 
+def pattern(line):
+    return re.compile(line[1:-1] if line.startswith("/") and line.endswith("/") else re.escape(line))
+
+
 class Known:
-    """Entries of four lines: the machine, its line, the line with the fault, and why both do the same. A blank line parts them."""
+    """Entries of four lines: the machine, its line, the line with the fault, and why both do the same. A blank line parts them.
+
+    A line between two slashes is a regular expression of the whole line.
+    """
 
     def __init__(self, text):
         self.reasons = {}
@@ -20,7 +28,11 @@ class Known:
                 continue
             if len(lines) != 4:
                 raise SystemExit(f"equivalent.txt: {len(lines)} lines at {lines[0]}; an entry has 4: machine, line, fault, reason")
-            self.reasons[tuple(lines[:3])] = lines[3]
+            self.reasons[tuple(pattern(line) for line in lines[:3])] = lines[3]
 
     def reason(self, machine, fault):
-        return self.reasons.get((machine, fault.before.strip(), fault.after.strip()))
+        said = machine, fault.before.strip(), fault.after.strip()
+        for patterns, reason in self.reasons.items():
+            if all(pattern.fullmatch(text) for pattern, text in zip(patterns, said)):
+                return reason
+        return None
