@@ -1,5 +1,6 @@
 #include "sw_ref/core/core_header.hpp"
 
+#include <array>
 #include <bit>
 #include <stdexcept>
 #include <string_view>
@@ -18,7 +19,7 @@ namespace {
 constexpr std::string_view magic = "hitpipe";
 constexpr unsigned version_at = 56;  ///< of the first word
 
-/// Places of 64 bits in the header. The last byte of a block is 0, so no ray takes it for a record or a triangle.
+/// Places of 64 bits in the header.
 enum HeaderWord : std::size_t {
   magic_word,
   sizes_word,
@@ -27,6 +28,8 @@ enum HeaderWord : std::size_t {
   scale_word = 8,
   checksum_word
 };
+/// These are 0. Three of them end a block, so its last byte is 0 and nobody takes it for a record or a triangle.
+constexpr std::array<std::size_t, 4> empty_words{3, 7, 10, 11};
 
 std::uint64_t word_of(std::string_view text) {
   std::uint64_t word = 0;
@@ -84,6 +87,10 @@ CoreHeader header_of(std::span<const CoreBlock> blocks) {
         fmt::format("there are {} blocks; allowed are {}, as the header says", blocks.size(), sizes >> 32));
   if (word(blocks, checksum_word) != checksum_of(blocks))
     throw std::runtime_error("the checksum differs: the image was changed or half written");
+  for (const std::size_t place : empty_words)
+    if (word(blocks, place) != 0)
+      throw std::runtime_error(
+          fmt::format("the header has {:#x} as its word {}; allowed is 0", word(blocks, place), place));
   constexpr int least = hls::WorldBits::min_proved_coord, most = hls::WorldBits::max_coord;
   const auto coord_bits = static_cast<int>(sizes & 0xff);
   if (coord_bits < least || coord_bits > most)

@@ -35,6 +35,7 @@ std::vector<CoreTriangle> triangles_of(const CoreImage& image) {
 Mesh mesh_of(const CoreImage& image) {
   const auto scale = static_cast<double>(grid_scale(image.header.coord_bits));
   Mesh mesh;
+  mesh.dropped.reserve(image.header.missing);
   std::uint32_t number = 0;
   for (const CoreTriangle& triangle : triangles_of(image)) {
     for (; number < triangle.number; ++number) mesh.dropped.push_back(number);

@@ -193,6 +193,8 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"Zeros", [](auto& b) { b.assign(b.size(), {}); }, "there is no header"},
         Damage{"OtherVersion", [](auto& b) { b[1][0] += std::uint64_t{1} << 56; },
                "the image has version 2 of its layout; allowed is 1"},
+        Damage{"TriangleInTheHeader", [](auto& b) { b[3][3] = b[last_triangle(b)][3]; }, differs,
+               "as its word 11; allowed is 0"},
         Damage{"Cut", [](auto& b) { b.pop_back(); }, "blocks; allowed are", "a child lies outside the image"},
         Damage{"HalfWritten",
                [](auto& b) {
