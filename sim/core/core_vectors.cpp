@@ -93,6 +93,27 @@ ref::TraceCounts read_for(const ref::CoreTracer& walk, const CoreJob& job) {
   return counts;
 }
 
+rtl::CoreScene scene_with_answers(const rtl::Core& core, const Traced& mesh,
+                                  const std::function<CoreJob()>& job) {
+  // Numbers of triangles in the same order, and with bits in all places.
+  const std::uint32_t step = ~0U / (mesh.image.header.triangles + mesh.image.header.missing + 1);
+  const auto spread = [&](std::uint32_t number) { return number * step + step / 2; };
+  const ref::CoreTracer walk(mesh.image, mesh.scene.mesh.mesh,
+                             {.world = core.options.bits.world(),
+                              .boxes = core.options.bits.boxes(),
+                              .places = 1 << core.options.stack_bits});
+  rtl::CoreScene scene{.blocks = renumbered(mesh.image, spread).blocks, .rays = {}};
+  for (int i = 0; i < 1000; ++i) {
+    const CoreJob made = job();
+    const ref::TraceCounts read = read_for(walk, made);
+    rtl::CoreScene::Ray& ray = scene.rays.emplace_back(asked(core, made, mesh.scene.mesh));
+    if (ray.number != ref::IntHit::none) ray.number = spread(static_cast<std::uint32_t>(ray.number));
+    ray.records = read.nodes_loaded;
+    ray.triangles = read.triangles_loaded;
+  }
+  return scene;
+}
+
 /// Some of a testbench's cycles: rays in an image, and what its surroundings do.
 struct Episode {
   int percent;  ///< of all cycles
@@ -130,7 +151,7 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   // Walks are long, and some begin again.
   const Traced mesh = traced(options, 84, [&](std::uint32_t triangles) {
     const std::uint32_t some = triangles / 4;
-    return chained(in_world(joined(random_scene(triangles - some, 0.4F, random), lattice.scene(some)), 4),
+    return chained(in_world(joined(random_scene(triangles - some, 0.1F, random), lattice.scene(some)), 4),
                    std::min(options.levels - 1, 40), random);
   });
   // A ray takes some 20 cycles for each block, so these have few.
@@ -159,10 +180,12 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
     ray.length = std::ldexp(1.0F, random.between(-6, 3));
     return {ray, random.below(3) == 0};
   };
-  const auto aimed_job = [&]() -> CoreJob {
+  const auto aimed_job = [&](const ref::IntScene& scene) -> CoreJob {
     CoreJob made = job();
+    // From a corner of the cube to the opposite face of a tetrahedron, numbers are as large as they can be.
+    if (random.below(3) == 0) made.ray.origin = 0.999F * glm::sign(made.ray.origin);
     if (random.below(3) != 0) made.ray.length = ref::Ray::infinite;
-    made.ray.direction = middle_of_one(some.scene, random) - made.ray.origin;
+    made.ray.direction = middle_of_one(scene, random) - made.ray.origin;
     if (made.ray.direction == glm::vec3(0)) made.ray.direction.x = 1.0F;
     return made;
   };
@@ -176,21 +199,19 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
     return made;
   };
 
-  // Numbers that differ in one or two bits, and all others are 1 in one image and 0 in the other.
+  // Numbers that differ in two bits. The two images together have all bits.
   const auto number = static_cast<std::uint32_t>(random.bits());
-  const auto alike = [&](std::uint32_t) { return number ^ 1U << random.between(0, 31); };
+  int bit = 0;
+  const auto alike = [&](std::uint32_t) { return number ^ 1U << bit++ % 32; };
   const ref::CoreImage tied = renumbered(small.image, alike);
-  const ref::CoreImage also_tied = renumbered(tied, [](std::uint32_t each) { return ~each; });
+  const ref::CoreImage also_tied = renumbered(small.image, [&](std::uint32_t each) { return ~alike(each); });
   const ref::CoreImage broken = damaged(renumbered(some.image, alike), options, random);
-  // In the same order, and with bits in all places.
-  const std::uint32_t step = ~0U / (mesh.image.header.triangles + mesh.image.header.missing + 1);
-  const auto spread = [&](std::uint32_t each) { return each * step + step / 2; };
   const auto all_blocks = static_cast<std::uint64_t>(rtl::ones_below(options.address_bits)) + 1;
   const auto last_base = static_cast<std::uint64_t>(rtl::ones_below(options.byte_bits - 6));
   const Episode episodes[] = {
       {16,
        some.image,
-       aimed_job,
+       [&] { return aimed_job(some.scene); },
        {.least_latency = 1, .most_latency = 40, .refused_percent = 10},
        {.base = 2, .held_percent = 30}},
       {16, tied, lattice_job, {.least_latency = 1, .most_latency = 4}, {.base = last_base}},
@@ -231,24 +252,12 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
     record(core, recorder, episode);
   }
 
-  rtl::CoreTest test{.cycles = std::move(recorder.cycles),
-                     .scene = {.blocks = renumbered(mesh.image, spread).blocks, .rays = {}},
-                     .units = {}};
+  const auto scene_job = [&] { return random.below(4) == 0 ? lattice_job() : aimed_job(mesh.scene); };
+  rtl::CoreTest test{
+      .cycles = std::move(recorder.cycles), .scene = scene_with_answers(core, mesh, scene_job), .units = {}};
   for (const rtl::Part& part : core.parts)
     if (part.pipeline)
       test.units.push_back(design_vectors(*part.design, part.format, unit_vectors, random.bits()));
-  const ref::CoreTracer walk(
-      mesh.image, mesh.scene.mesh.mesh,
-      {.world = world, .boxes = options.bits.boxes(), .places = 1 << options.stack_bits});
-  for (int i = 0; i < 1000; ++i) {
-    const CoreJob made = i % 2 == 0 ? job() : lattice_job();
-    const ref::TraceCounts read = read_for(walk, made);
-    test.scene.rays.push_back(asked(core, made, mesh.scene.mesh));
-    if (test.scene.rays.back().number != ref::IntHit::none)
-      test.scene.rays.back().number = spread(static_cast<std::uint32_t>(test.scene.rays.back().number));
-    test.scene.rays.back().records = read.nodes_loaded;
-    test.scene.rays.back().triangles = read.triangles_loaded;
-  }
   return test;
 }
 

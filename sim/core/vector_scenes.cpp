@@ -186,8 +186,10 @@ ref::CoreImage damaged(ref::CoreImage image, const rtl::CoreOptions& options, Ra
         break;
       case 2:
       case 3:
-        record.pointer = static_cast<std::uint32_t>(
-            random.bits() >> (64 - random.between(1, random.coin() ? 32 : options.address_bits)));
+        record.pointer ^= 1U << random.between(0, options.address_bits - 1);
+        if (random.coin())
+          record.pointer = static_cast<std::uint32_t>(
+              random.bits() >> (64 - random.between(1, random.coin() ? 32 : options.address_bits)));
         block = to_block(record, grid);
         break;
       case 4:

@@ -1,12 +1,18 @@
 #include "sim/vectors/design_vectors.hpp"
 
 #include <array>
-#include <span>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "rtl_gen/emit/port_vectors.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
+#include "sw_ref/world/int_cases.hpp"
 
 namespace hitpipe::sim {
 
@@ -14,52 +20,99 @@ namespace {
 
 using ref::adversary::Category;
 
-/// Operands of rays and boxes of one category. Hits and misses alternate; so do single vectors and pairs
-/// across the border beside them.
-class CategoryVectors {
- public:
-  CategoryVectors(BoxTest& test, rtl::PortVectors& ports, const Category& category, std::uint64_t seed)
-      : test_(test), ports_(ports), category_(category), cases_(seed) {}
+constexpr std::size_t objects_per_ray = 8;
 
-  [[nodiscard]] rtl::VectorGroup group(std::size_t count) {
-    rtl::VectorGroup group{std::string(category_.name), {}};
-    for (std::size_t i = 0; group.vectors.size() < count; ++i) {
-      rtl::Vector drawn = draw(i % 2 == 0);
-      std::vector<rtl::Vector> beside;
-      if (i % 4 >= 2) beside = ports_.border(drawn.operands);
-      if (beside.empty()) beside.push_back(std::move(drawn));
-      for (rtl::Vector& each : beside)
-        if (group.vectors.size() < count) group.vectors.push_back(std::move(each));
-    }
-    return group;
+/// Operands of rays and boxes, or of rays and triangles, of one category.
+class CategoryCases {
+ public:
+  virtual ~CategoryCases() = default;
+  /// A ray and an object of which the C++ says `hit`. Nothing: eight objects do not say so.
+  [[nodiscard]] virtual std::optional<rtl::Vector> draw(bool hit) = 0;
+};
+
+class BoxCases final : public CategoryCases {
+ public:
+  BoxCases(BoxTest& test, const Category& category, std::uint64_t seed)
+      : test_(test), category_(category), random_(seed) {}
+
+  [[nodiscard]] std::optional<rtl::Vector> draw(bool hit) override {
+    const ref::adversary::Case drawn = category_.make(random_);
+    std::array<ref::Aabb, objects_per_ray> boxes;
+    ref::adversary::neighbours(random_, drawn.box, boxes);
+    test_.start(drawn.ray);
+    for (const ref::Aabb& box : boxes)
+      if (test_.hit(box) == hit)
+        return rtl::Vector{{test_.operands().begin(), test_.operands().end()},
+                           {test_.results().begin(), test_.results().end()}};
+    return std::nullopt;
   }
 
  private:
-  /// A vector that hits, or that misses, if a few tries find it.
-  [[nodiscard]] rtl::Vector draw(bool hit) {
-    constexpr std::size_t boxes_per_ray = 8;
-    for (int rays = 0;; ++rays) {
-      constexpr int most_rays = 8;
-      const ref::adversary::Case drawn = category_.make(cases_);
-      std::array<ref::Aabb, boxes_per_ray> boxes;
-      ref::adversary::neighbours(cases_, drawn.box, boxes);
-      test_.start(drawn.ray);
-      for (const ref::Aabb& box : boxes)
-        if (test_.hit(box) == hit) return vector();
-      if (rays == most_rays) return vector();
+  BoxTest& test_;
+  const Category& category_;
+  ref::adversary::Random random_;
+};
+
+class TriangleCases final : public CategoryCases {
+ public:
+  TriangleCases(TriangleTest& test, const ref::IntCategory& category, std::uint64_t seed)
+      : test_(test), category_(category), random_(seed) {}
+
+  [[nodiscard]] std::optional<rtl::Vector> draw(bool hit) override {
+    const ref::IntCase drawn = category_.make(random_, test_.world());
+    std::array<ref::IntTriangle, objects_per_ray> triangles;
+    ref::int_neighbours(random_, drawn.triangle, test_.world(), triangles);
+    test_.start(drawn.ray);
+    for (const ref::IntTriangle& triangle : triangles) {
+      rtl::Vector vector{std::vector<std::int64_t>(test_.operand_count()),
+                         std::vector<std::int64_t>(test_.evaluate().result_count())};
+      test_.operands(triangle, vector.operands.data());
+      test_.evaluate()(vector.operands.data(), vector.results.data());
+      if (test_.evaluate().hit(vector.results.data()) == hit) return vector;
     }
-  }
-  [[nodiscard]] rtl::Vector vector() const {
-    const auto operands = test_.operands();
-    const auto results = test_.results();
-    return {{operands.begin(), operands.end()}, {results.begin(), results.end()}};
+    return std::nullopt;
   }
 
-  BoxTest& test_;
-  rtl::PortVectors& ports_;
-  const Category& category_;
-  ref::adversary::Random cases_;
+ private:
+  TriangleTest& test_;
+  const ref::IntCategory& category_;
+  ref::adversary::Random random_;
 };
+
+/// A vector that hits, or that misses, if a few tries find it.
+rtl::Vector drawn(CategoryCases& cases, bool hit) {
+  constexpr int most_tries = 8;
+  for (int tries = 0; tries < most_tries; ++tries)
+    if (auto vector = cases.draw(hit)) return *std::move(vector);
+  for (;;)
+    if (auto vector = cases.draw(!hit)) return *std::move(vector);
+}
+
+/// Hits and misses alternate; so do single vectors and pairs across the border beside them.
+rtl::VectorGroup group_of(std::string_view name, CategoryCases& cases, rtl::PortVectors& ports,
+                          std::size_t count) {
+  rtl::VectorGroup group{std::string(name), {}};
+  for (std::size_t i = 0; group.vectors.size() < count; ++i) {
+    rtl::Vector vector = drawn(cases, i % 2 == 0);
+    std::vector<rtl::Vector> beside;
+    if (i % 4 >= 2) beside = ports.border(vector.operands);
+    if (beside.empty()) beside.push_back(std::move(vector));
+    for (rtl::Vector& each : beside)
+      if (group.vectors.size() < count) group.vectors.push_back(std::move(each));
+  }
+  return group;
+}
+
+/// `count` vectors of all categories. A category's seed is `stream` and its place.
+template <class Cases, class Test, class Categories>
+void add_categories(rtl::VectorSet& set, Test& test, const Categories& categories, rtl::PortVectors& ports,
+                    std::size_t count, std::uint64_t stream) {
+  for (std::size_t i = 0; i < categories.size(); ++i) {
+    const std::size_t share = count * (i + 1) / categories.size() - count * i / categories.size();
+    Cases cases(test, categories[i], stream + i);
+    set.groups.push_back(group_of(categories[i].name, cases, ports, share));
+  }
+}
 
 }  // namespace
 
@@ -74,20 +127,19 @@ rtl::VectorSet design_vectors(const rtl::Design& design, const rtl::Format& form
   const std::uint64_t stream = seed + 1;
   rtl::PortVectors at_ports({graph, ports, none, evaluate, results}, stream);
   const Software& software = software_of(design);
-  const bool has_set_up = software.box_test != nullptr;
+  const bool has_categories = software.box_test != nullptr || software.triangle_test != nullptr;
   // Three eighths each, and a quarter for what these do not show.
-  const std::size_t of_categories = has_set_up ? count * 3 / 8 : 0;
+  const std::size_t of_categories = has_categories ? count * 3 / 8 : 0;
   rtl::VectorSet set{seed, at_ports.groups(count * 3 / 4 - of_categories)};
-  if (has_set_up) {
-    const std::unique_ptr<BoxTest> test = software.box_test(design, format);
+  if (software.box_test != nullptr) {
     const auto everyones = ref::adversary::categories();
     std::vector<Category> categories(everyones.begin(), everyones.end());
     categories.insert(categories.end(), software.categories.begin(), software.categories.end());
-    for (std::size_t i = 0; i < categories.size(); ++i) {
-      const std::size_t share =
-          of_categories * (i + 1) / categories.size() - of_categories * i / categories.size();
-      set.groups.push_back(CategoryVectors(*test, at_ports, categories[i], stream + i).group(share));
-    }
+    add_categories<BoxCases>(set, *software.box_test(design, format), categories, at_ports, of_categories,
+                             stream);
+  } else if (software.triangle_test != nullptr) {
+    add_categories<TriangleCases>(set, *software.triangle_test(design, format), ref::int_categories(),
+                                  at_ports, of_categories, stream);
   }
   set.groups.push_back(at_ports.rare(set.groups, count - set.size()));
   return set;
