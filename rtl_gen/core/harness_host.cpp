@@ -224,7 +224,7 @@ void registers(System& system) {
 }
 // A reset of one cycle while much is on its way, and then of some more.
 void reset_hard(System& system, Host& host) {
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 40; ++i) {
     host.start(host.blocks());
     if (i % 4 != 3) host.fill();
     if (i % 4 == 1) system.lite.ask_write(CORE_REG_CONTROL, CORE_SOFT_RESET, 15);

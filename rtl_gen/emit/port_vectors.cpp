@@ -191,7 +191,7 @@ std::vector<VectorGroup> PortVectors::groups(std::size_t count) {
 
 VectorGroup PortVectors::rare(const std::vector<VectorGroup>& groups, std::size_t count) {
   VectorGroup rare{"rare_bits", {}};
-  // The logic of a float operator is too long to be run for each of its bits.
+  // The logic of a float operator is too long to be run for each of its bits. Floats near the ends of their range reach most.
   if (unit_.graph.submodules().empty()) {
     ShownBits shown(unit_.graph, unit_.ports);
     for (const VectorGroup& group : groups) {
@@ -206,6 +206,19 @@ VectorGroup PortVectors::rare(const std::vector<VectorGroup>& groups, std::size_
       for (Vector& each : shown.new_ones(draws)) rare.vectors.push_back(std::move(each));
     }
     rare.vectors.resize(std::min(rare.vectors.size(), count));
+  } else {
+    std::vector<const Vector*> hits;
+    for (const VectorGroup& group : groups)
+      for (const Vector& each : group.vectors)
+        if (unit_.evaluate.yes(each.results.data())) hits.push_back(&each);
+    while (rare.vectors.size() < count && !hits.empty()) {
+      Vector scaled =
+          with_results(draw_.scaled(hits[random_() % hits.size()]->operands, random_), unit_.evaluate);
+      std::vector<Vector> near = border(scaled.operands);
+      near.push_back(std::move(scaled));
+      for (Vector& each : near)
+        if (rare.vectors.size() < count) rare.vectors.push_back(std::move(each));
+    }
   }
   for (Vector& each : borders(count - rare.vectors.size())) rare.vectors.push_back(std::move(each));
   return rare;

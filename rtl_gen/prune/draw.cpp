@@ -1,6 +1,10 @@
 #include "rtl_gen/prune/draw.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cfloat>
+#include <climits>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -119,6 +123,19 @@ std::int64_t by_value(std::int64_t pattern, int width) {
 }
 std::int64_t pattern_of(std::int64_t number, int width) {
   return number < 0 ? ~number | std::int64_t{1} << (width - 1) : number;
+}
+
+/// Of a float of 9 bits or more, with an exponent of 8 bits.
+float real_of(std::int64_t pattern, int width) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(pattern) << (32 - width));
+}
+std::int64_t bits_of_real(float number, int width) {
+  return std::bit_cast<std::uint32_t>(number) >> (32 - width);
+}
+
+bool is_direction(hls::Role role) {
+  return role == hls::Role::direction || role == hls::Role::inverse || role == hls::Role::inverse_low ||
+         role == hls::Role::inverse_high;
 }
 
 // Draws that do not meet the orders are seldom; where nearly all fail, the demands are at odds.
@@ -242,6 +259,31 @@ std::vector<std::int64_t> Draw::corners(Random& random) const {
       if (below(random, 8) != 0) operands[port] = corner(operands, port, random);
     return operands;
   });
+}
+
+std::vector<std::int64_t> Draw::scaled(const std::vector<std::int64_t>& operands, Random& random) const {
+  std::vector<std::int64_t> scaled = operands;
+  for (const bool of_directions : {false, true}) {
+    int largest = INT_MIN;
+    std::vector<std::size_t> alike;
+    for (const std::size_t port : free_) {
+      if (ports_[port].kind != hls::Kind::real || is_direction(ports_[port].role) != of_directions) continue;
+      const float number = real_of(operands[port], ports_[port].width);
+      if (!std::isfinite(number) || number == 0.0F) continue;
+      alike.push_back(port);
+      largest = std::max(largest, std::ilogb(number));
+    }
+    if (alike.empty() || below(random, 4) == 0) continue;
+    const auto step = static_cast<int>(below(random, 32));
+    const int exponent = coin(random) ? FLT_MAX_EXP - step / 4 : FLT_MIN_EXP - step;
+    for (const std::size_t port : alike) {
+      const int width = ports_[port].width;
+      const std::int64_t pattern =
+          bits_of_real(std::ldexp(real_of(operands[port], width), exponent - largest), width);
+      if (meets(wanted_[port], pattern)) scaled[port] = pattern;
+    }
+  }
+  return meets_all(scaled) ? scaled : operands;
 }
 
 std::vector<std::int64_t> Draw::corners_beside(const std::vector<std::int64_t>& operands,

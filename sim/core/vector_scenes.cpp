@@ -52,7 +52,11 @@ ref::Scene random_scene(std::uint32_t triangles, float size, Random& random) {
 }
 
 ref::Scene largest_scene(std::uint32_t triangles, Random& random) {
-  return scene_of(triangles, [&](int) { return glm::sign(random_point(random)); });
+  ref::Scene scene = scene_of(triangles, [&](int) { return glm::sign(random_point(random)); });
+  const glm::vec3 face[] = {{-1, 1, 1}, {1, -1, 1}, {1, 1, -1}};
+  for (std::size_t i = 0; i < std::min<std::size_t>(scene.mesh.vertices.size(), 6); ++i)
+    scene.mesh.vertices[i] = face[i < 3 ? i : 5 - i];
+  return scene;
 }
 
 ref::Scene joined(ref::Scene scene, const ref::Scene& other) {
@@ -63,9 +67,10 @@ ref::Scene joined(ref::Scene scene, const ref::Scene& other) {
   return scene;
 }
 
-glm::vec3 middle_of_one(const ref::IntScene& scene, Random& random) {
+glm::vec3 point_of_one(const ref::IntScene& scene, Random& random) {
   const ref::Mesh& mesh = scene.mesh.mesh;
   const glm::uvec3& corners = mesh.triangles[random.below(mesh.triangles.size())];
+  if (random.coin()) return mesh.vertices[corners.x];
   return (mesh.vertices[corners.x] + mesh.vertices[corners.y] + mesh.vertices[corners.z]) / 3.0F;
 }
 

@@ -18,7 +18,8 @@ namespace hitpipe::sim {
 
 /// Each triangle has its corners at most 2 * `size` from each other on an axis. 0 < size <= 1.
 [[nodiscard]] ref::Scene random_scene(std::uint32_t triangles, float size, ref::adversary::Random& random);
-/// The triangles' corners are corners of the cube. Some have no area.
+/// The triangles' corners are corners of the cube. Some have no area. The first two are the face of a regular
+/// tetrahedron that is opposite to (-1, -1, -1), from both sides.
 [[nodiscard]] ref::Scene largest_scene(std::uint32_t triangles, ref::adversary::Random& random);
 [[nodiscard]] ref::Scene joined(ref::Scene scene, const ref::Scene& other);
 
@@ -40,8 +41,8 @@ class Lattice {
   int half_, step_;
 };
 
-/// Of a triangle's corners.
-[[nodiscard]] glm::vec3 middle_of_one(const ref::IntScene& scene, ref::adversary::Random& random);
+/// A triangle's middle, or its first corner. A ray to a corner often meets an edge of a box.
+[[nodiscard]] glm::vec3 point_of_one(const ref::IntScene& scene, ref::adversary::Random& random);
 
 struct Traced {
   ref::IntScene scene;
