@@ -1,8 +1,8 @@
 #include "sim/vectors/design_vectors.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,8 +26,8 @@ constexpr std::size_t objects_per_ray = 8;
 class CategoryCases {
  public:
   virtual ~CategoryCases() = default;
-  /// A ray and an object of which the C++ says `hit`. Nothing: eight objects do not say so.
-  [[nodiscard]] virtual std::optional<rtl::Vector> draw(bool hit) = 0;
+  /// A ray and an object of which the C++ says `hit`, or the last of eight objects that do not: then false.
+  [[nodiscard]] virtual bool draw(bool hit, rtl::Vector& vector) = 0;
 };
 
 class BoxCases final : public CategoryCases {
@@ -35,16 +35,17 @@ class BoxCases final : public CategoryCases {
   BoxCases(BoxTest& test, const Category& category, std::uint64_t seed)
       : test_(test), category_(category), random_(seed) {}
 
-  [[nodiscard]] std::optional<rtl::Vector> draw(bool hit) override {
+  [[nodiscard]] bool draw(bool hit, rtl::Vector& vector) override {
     const ref::adversary::Case drawn = category_.make(random_);
     std::array<ref::Aabb, objects_per_ray> boxes;
     ref::adversary::neighbours(random_, drawn.box, boxes);
     test_.start(drawn.ray);
-    for (const ref::Aabb& box : boxes)
-      if (test_.hit(box) == hit)
-        return rtl::Vector{{test_.operands().begin(), test_.operands().end()},
-                           {test_.results().begin(), test_.results().end()}};
-    return std::nullopt;
+    const bool found =
+        std::any_of(boxes.begin(), boxes.end(), [&](const ref::Aabb& box) { return test_.hit(box) == hit; });
+    const auto operands = test_.operands();
+    const auto results = test_.results();
+    vector = {{operands.begin(), operands.end()}, {results.begin(), results.end()}};
+    return found;
   }
 
  private:
@@ -58,19 +59,17 @@ class TriangleCases final : public CategoryCases {
   TriangleCases(TriangleTest& test, const ref::IntCategory& category, std::uint64_t seed)
       : test_(test), category_(category), random_(seed) {}
 
-  [[nodiscard]] std::optional<rtl::Vector> draw(bool hit) override {
+  [[nodiscard]] bool draw(bool hit, rtl::Vector& vector) override {
     const ref::IntCase drawn = category_.make(random_, test_.world());
     std::array<ref::IntTriangle, objects_per_ray> triangles;
     ref::int_neighbours(random_, drawn.triangle, test_.world(), triangles);
     test_.start(drawn.ray);
-    for (const ref::IntTriangle& triangle : triangles) {
-      rtl::Vector vector{std::vector<std::int64_t>(test_.operand_count()),
-                         std::vector<std::int64_t>(test_.evaluate().result_count())};
-      test_.operands(triangle, vector.operands.data());
-      test_.evaluate()(vector.operands.data(), vector.results.data());
-      if (test_.evaluate().hit(vector.results.data()) == hit) return vector;
-    }
-    return std::nullopt;
+    std::vector<std::int64_t> operands(test_.operand_count());
+    return std::any_of(triangles.begin(), triangles.end(), [&](const ref::IntTriangle& triangle) {
+      test_.operands(triangle, operands.data());
+      vector = rtl::with_results(operands, test_.evaluate());
+      return test_.evaluate().hit(vector.results.data()) == hit;
+    });
   }
 
  private:
@@ -81,11 +80,11 @@ class TriangleCases final : public CategoryCases {
 
 /// A vector that hits, or that misses, if a few tries find it.
 rtl::Vector drawn(CategoryCases& cases, bool hit) {
-  constexpr int most_tries = 8;
+  constexpr int most_tries = 9;
+  rtl::Vector vector;
   for (int tries = 0; tries < most_tries; ++tries)
-    if (auto vector = cases.draw(hit)) return *std::move(vector);
-  for (;;)
-    if (auto vector = cases.draw(!hit)) return *std::move(vector);
+    if (cases.draw(hit, vector)) break;
+  return vector;
 }
 
 /// Hits and misses alternate; so do single vectors and pairs across the border beside them.
