@@ -34,6 +34,7 @@
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "sim/core/core_trace.hpp"
+#include "sim/core/memory_port.hpp"
 #include "sim/core/native_core.hpp"
 #include "sim/core/picture_rays.hpp"
 #include "sim/machine/verilated_machine.hpp"
@@ -51,8 +52,8 @@ struct TraceCommand {
   std::vector<int> rays_in_flight{128};
   RayListChoice rays;
   CoreChoice core;
-  std::vector<int> latency{100};
-  sim::MemoryOptions memory;
+  std::string memory{"ideal"};
+  int cache_kib = 0;
   std::string library{rtl::default_library};
   bool native = false;
   std::uint64_t parts = 1;  ///< of the rays, each traced by a core that is empty
@@ -96,6 +97,14 @@ CoreScene scene_of(const TraceCommand& command) {
   return command.traced.load(std::move(stored), rtl::parse_bits<hls::WorldBits>(bits), bits);
 }
 
+sim::MemoryOptions memory_of(const TraceCommand& command) {
+  const rtl::CoreOptions& bus = command.core.options;
+  sim::MemoryOptions memory = sim::memory_behind(sim::memory_port(command.memory), bus.beats());
+  memory.in_order = bus.has_one_id();
+  memory.cache_kib = command.cache_kib;
+  return memory;
+}
+
 /// A scene as cores trace it: which rays, and each core's machine.
 class Tracing {
  public:
@@ -103,7 +112,8 @@ class Tracing {
       : command_(command),
         library_(rtl::library_called(command.library)),
         traced_(scene_of(command)),
-        walking_{.world = bits(), .boxes = usual_box_format(bits()), .places = command.core.places} {
+        walking_{.world = bits(), .boxes = usual_box_format(bits()), .places = command.core.places},
+        memory_(memory_of(command)) {
     const ref::CoreHeader& header = traced_.image.header;
     if (header.levels > command.core.options.levels)
       throw std::runtime_error(fmt::format(
@@ -150,8 +160,7 @@ class Tracing {
   using Keep = std::function<void(std::span<const sim::CoreAnswer>)>;
   [[nodiscard]] sim::CoreTrace trace(std::size_t core, const sim::PictureRays& rays,
                                      const std::function<void(double)>& progress, const Keep& keep) const {
-    return sim::trace_core(cores_[core], *machines_[core], traced_.image, rays, command_.memory, progress,
-                           keep);
+    return sim::trace_core(cores_[core], *machines_[core], traced_.image, rays, memory_, progress, keep);
   }
 
   /// Writes the T that the core gave, so that a wrong T shows.
@@ -175,6 +184,7 @@ class Tracing {
   rtl::Library library_;
   CoreScene traced_;
   ref::CoreTracerOptions walking_;
+  sim::MemoryOptions memory_;
   std::vector<sim::AskedRay> list_;
   std::vector<rtl::Core> cores_;
   std::vector<std::unique_ptr<rtl::NativeMachine>> machines_;
@@ -221,7 +231,7 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
   scene = tracing.traced().scene->scene.name;
   AnswersFile file(command.rays.answers, {"rays_in_flight"});
   about = {{"hierarchy", tracing.traced().hierarchy},
-           {"cache", command.memory.cache_kib > 0},
+           {"cache", command.cache_kib > 0},
            {"mesh", tracing.traced().mesh}};
   const bool draws = !command.pieces.piece && !command.out.empty();
   if (draws) {
@@ -266,14 +276,6 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
 
 int trace_scene(TraceCommand command, const CLI::App& parsed) {
   command.traced.hierarchy.build.threads = command.traced.scene.threads;
-  command.memory.least_latency = command.latency.front();
-  command.memory.most_latency = command.latency.back();
-  const rtl::CoreOptions& bus = command.core.options;
-  command.memory.in_order = bus.has_one_id();
-  command.memory.interval = bus.beats();
-  if (command.memory.least_latency > command.memory.most_latency)
-    throw std::runtime_error(fmt::format("--latency {},{}: the first is the least", command.latency.front(),
-                                         command.latency.back()));
   if (!command.rays.given())
     check_parts(command,
                 ref::tile_count({.width = command.traced.scene.width, .height = command.traced.scene.height}),
@@ -332,18 +334,9 @@ CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
       ->transform(number_from(1, 256))
       ->type_name("N");
   add_core_options(*command, options->core);
-  command
-      ->add_option("--latency", options->latency,
-                   "Cycles from a request to its answer: N, or A,B for random ones (1 to 10000)")
-      ->delimiter(',')
-      ->expected(1, 2)
-      ->capture_default_str()
-      ->transform(number_from(1, sim::MemoryOptions::most_cycles))
-      ->type_name("N");
+  add_memory_option(*command, options->memory);
   add_core_bus_options(*command, options->core);
-  number("--refuse", options->memory.refused_percent, "Percent of cycles in which memory takes no request", 0,
-         99);
-  number("--cache", options->memory.cache_kib,
+  number("--cache", options->cache_kib,
          "KiB of a cache with 8 ways and lines of 64 bytes, a power of two; 0 is none", 0, 65'536);
   add_library_option(*command, options->library);
   command->add_flag("--native", options->native,

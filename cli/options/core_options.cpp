@@ -8,6 +8,7 @@
 
 #include "cli/options/values.hpp"
 #include "rtl_gen/catalogue/format.hpp"
+#include "sim/core/memory_port.hpp"
 
 namespace hitpipe::cli {
 
@@ -83,6 +84,16 @@ std::vector<CLI::Option*> add_core_bus_options(CLI::App& command, CoreChoice& ch
           command.add_flag("--in-order", choice.options.in_order,
                            "All AXI requests have one identifier, so memory answers in their order; else "
                            "each ray has its own. A bus that has not 256 bits is always so")};
+}
+
+void add_memory_option(CLI::App& command, std::string& memory) {
+  std::string text = "The memory behind the bus. ";
+  for (const sim::KnownMemory& each : sim::known_memories())
+    text += fmt::format("{}: {}. ", each.name, each.what);
+  text +=
+      "A JSON file has latency, beat_bytes, beat_cycles, burst_cycles and refused_percent, and each of these "
+      "may follow a name: ideal,latency=1..200";
+  command.add_option("--memory", memory, text)->capture_default_str()->type_name("NAME|FILE");
 }
 
 std::vector<CLI::Option*> add_core_port_options(CLI::App& command, CoreChoice& choice) {

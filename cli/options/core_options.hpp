@@ -35,6 +35,8 @@ std::vector<CLI::Option*> add_core_options(CLI::App& command, CoreChoice& choice
 std::vector<CLI::Option*> add_one_core_options(CLI::App& command, CoreChoice& choice);
 /// The AXI bus to memory: --data-bits and --in-order.
 std::vector<CLI::Option*> add_core_bus_options(CLI::App& command, CoreChoice& choice);
+/// --memory, as memory_port() reads it.
+void add_memory_option(CLI::App& command, std::string& memory);
 /// Widths of ports and block RAMs, which only Verilog that is written needs to know.
 std::vector<CLI::Option*> add_core_port_options(CLI::App& command, CoreChoice& choice);
 

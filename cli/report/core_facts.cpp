@@ -112,7 +112,7 @@ std::string command_of(const CoreMeasurement& how, const CoreFacts& facts, const
                        const std::vector<int>& rays) {
   return fmt::format(
       "hitpipe core trace --native {} --width {} --height {} --bits {} --triangle-ii {} --rays-in-flight {} "
-      "--latency {}{}{} --format csv",
+      "--memory ideal,latency={}{}{} --format csv",
       how.scene_options, facts.width, facts.height, name_of(setting.world), setting.triangle_interval,
       fmt::join(rays, ","), setting.latency,
       setting.cache_kib == 0 ? "" : fmt::format(" --cache {}", setting.cache_kib), how.library_option);

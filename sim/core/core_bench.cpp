@@ -92,7 +92,9 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
   constexpr std::uint64_t cycles_of_a_test = 1000;
   const auto rays = static_cast<std::uint64_t>(core.options.rays);
   most_still_ = static_cast<std::uint64_t>(memory.most_latency) +
-                rays * (static_cast<std::uint64_t>(memory.interval) * 2 + cycles_of_a_test) + 10'000;
+                rays * (static_cast<std::uint64_t>(std::max(memory.interval, memory.line_interval)) +
+                        cycles_of_a_test) +
+                10'000;
   // A ray tests a triangle once, and can come to a record again from each level above it. In a damaged image
   // it may come more often, until its steps are used up.
   constexpr std::uint64_t room = 10;

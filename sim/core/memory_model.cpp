@@ -23,6 +23,7 @@ const MemoryOptions& checked(const MemoryOptions& options) {
     throw std::invalid_argument(fmt::format("a memory's latency of {} to {} cycles: the least comes first",
                                             options.least_latency, options.most_latency));
   check_cycles("interval", options.interval);
+  check_cycles("interval of lines", options.line_interval);
   check_cycles("hit latency", options.hit_latency);
   if (options.refused_percent < 0 || options.refused_percent > 99)
     throw std::invalid_argument(fmt::format("a memory that refuses in {} % of the cycles: allowed is 0 to 99",
@@ -65,7 +66,9 @@ MemoryCounts& MemoryCounts::operator+=(const MemoryCounts& later) {
 MemoryModel::MemoryModel(std::span<const ref::CoreBlock> blocks, const MemoryOptions& options)
     : blocks_(blocks),
       options_(checked(options)),
-      blocks_of_read_(options.cache_kib > 0 ? blocks_of_line : 1),
+      read_blocks_(options.cache_kib > 0 ? blocks_of_line : 1),
+      read_cycles_(
+          static_cast<std::uint64_t>(options.cache_kib > 0 ? options.line_interval : options.interval)),
       latencies_(options.seed),
       refusals_(~options.seed),
       errors_(options.seed + 1),
@@ -118,7 +121,7 @@ bool MemoryModel::merge(std::uint32_t request) {
 }
 
 void MemoryModel::read(std::uint32_t request) {
-  counts_.bytes_read += blocks_of_read_ * ref::core_block_bytes;
+  counts_.bytes_read += read_blocks_ * ref::core_block_bytes;
   const std::uint64_t ready =
       now_ + static_cast<std::uint64_t>(latencies_.between(options_.least_latency, options_.most_latency));
   requests_[request].ready = ready;
@@ -132,7 +135,7 @@ std::optional<MemoryAnswer> MemoryModel::step() {
   asked_ = false;
   if (!calendar_.empty()) reads_.take_all(requests_, calendar_[now_ & (calendar_.size() - 1)]);
   if (now_ >= memory_free_ && !reads_.empty() && requests_[reads_.first()].ready <= now_) {
-    memory_free_ = now_ + static_cast<std::uint64_t>(options_.interval) * blocks_of_read_;
+    memory_free_ = now_ + read_cycles_;
     receive(reads_.pop(requests_));
   }
   const std::optional<MemoryAnswer> answered = answer();

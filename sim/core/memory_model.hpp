@@ -20,7 +20,8 @@ struct MemoryOptions {
   /// From a request to its answer, when nothing else waits. 1..most_cycles, drawn for each read.
   int least_latency = 100, most_latency = 100;
   bool in_order = false;    ///< answers in the order of their requests; else each when it is ready
-  int interval = 1;         ///< for each block that memory gives, 1..most_cycles
+  int interval = 1;         ///< for each block that memory gives without a cache, 1..most_cycles
+  int line_interval = 2;    ///< for each line that memory gives to the cache, 1..most_cycles
   int refused_percent = 0;  ///< of all cycles refuse a request, at random, 0..99
   int error_percent = 0;    ///< of all answers are errors, with other words than the block's, 0..99
   int most_waiting = 0;     ///< requests on their way; 0: no limit
@@ -59,7 +60,7 @@ struct MemoryAnswer {
 /// cycle c with latency n is answered in cycle c + n or later: in that cycle the core sees the answer. There
 /// is at most one answer in a cycle, the one that was ready first, and of two the older request.
 ///
-/// Memory gives one block in `interval` cycles, with a cache one line of two blocks in twice as many. It
+/// Memory gives one block in `interval` cycles, with a cache one line in `line_interval`. It
 /// gives first what is ready first, or with in_order what was asked for first. A line enters the cache when
 /// memory gives it, and all requests that wait for it are then ready. A hit takes no time of the memory.
 ///
@@ -111,7 +112,7 @@ class MemoryModel {
 
   std::span<const ref::CoreBlock> blocks_;
   MemoryOptions options_;
-  std::uint64_t blocks_of_read_;
+  std::uint64_t read_blocks_, read_cycles_;  ///< of a block, or of a line of the cache
   ref::adversary::Random latencies_, refusals_, errors_;
   ref::LineCache cache_;
   MemoryCounts counts_;

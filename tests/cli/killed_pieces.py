@@ -140,7 +140,7 @@ def others():
     compare("stiff rays", printed(f"check --stiff --join {pieces} --out joined"), printed(f"{stiff} --out one"))
     for name in ("stiffness.csv", "stiffness.svg", "stiffness_scene.svg"):
         compare(name, (FOLDER / "joined" / name).read_text(), (FOLDER / "one" / name).read_text())
-    trace = "core trace --scene spheres --width 40 --height 8 --native --rays-in-flight 4,16 --parts 2 --latency 5,60"
+    trace = "core trace --scene spheres --width 40 --height 8 --native --rays-in-flight 4,16 --parts 2 --memory ideal,latency=5..60"
     for command in commands_of(f"{trace} --pieces 3 --out c"):
         printed(command)
     for form in ("text", "json"):

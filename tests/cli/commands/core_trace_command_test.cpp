@@ -44,9 +44,9 @@ TEST(TraceCommand, SaysWhyCyclesWereLost) {
   // Each memory, and the cause that takes most of its cycles.
   const std::vector<std::pair<std::vector<std::string>, std::string>> causes{
       {{"--rays-in-flight", "2"}, "idle_memory_pct"},
-      {{"--rays-in-flight", "2", "--latency", "1", "--triangle-ii", "64"}, "idle_inside_pct"},
-      {{"--rays-in-flight", "64", "--refuse", "80"}, "refused_pct"},
-      {{"--rays-in-flight", "64", "--latency", "4"}, "port_busy_pct"}};
+      {{"--rays-in-flight", "2", "--memory", "ideal,latency=1", "--triangle-ii", "64"}, "idle_inside_pct"},
+      {{"--rays-in-flight", "64", "--memory", "ideal,refused_percent=80"}, "refused_pct"},
+      {{"--rays-in-flight", "64", "--memory", "ideal,latency=4"}, "port_busy_pct"}};
   for (const auto& [more, cause] : causes) {
     const nlohmann::json row = rows_of(more).at(0);
     double sum = 0;
@@ -60,11 +60,11 @@ TEST(TraceCommand, SaysWhyCyclesWereLost) {
 
 TEST(TraceCommand, MemoriesOfEveryKindGiveTheSameAnswers) {
   const nlohmann::json plain = rows_of({});
-  for (const auto& more : {std::vector<std::string>{"--latency", "1,200"},
-                           {"--latency", "20", "--in-order"},
+  for (const auto& more : {std::vector<std::string>{"--memory", "ideal,latency=1..200"},
+                           {"--memory", "dram", "--in-order"},
                            {"--data-bits", "64"},
                            {"--door", "float", "--data-bits", "512"},
-                           {"--refuse", "50"},
+                           {"--memory", "axi-256,refused_percent=50"},
                            {"--bits", "20+1s20", "--triangle-ii", "8"}}) {
     const nlohmann::json rows = rows_of(more);
     EXPECT_EQ(rows.at(0).at("wrong"), 0);
@@ -73,11 +73,12 @@ TEST(TraceCommand, MemoriesOfEveryKindGiveTheSameAnswers) {
   const nlohmann::json cached = rows_of({"--cache", "64"});
   EXPECT_GT(cached.at(0).at("cache_hits_pct"), 50);
   EXPECT_LT(cached.at(0).at("bytes_a_ray"), 32 * plain.at(0).at("reads_a_ray").get<double>());
-  EXPECT_GT(rows_of({"--refuse", "50"}).at(0).at("refused_pct"), 40);
+  EXPECT_GT(rows_of({"--memory", "ideal,refused_percent=50"}).at(0).at("refused_pct"), 40);
 }
 
 TEST(TraceCommand, VerilogPrintsWhatSoftwarePrints) {
-  const std::vector<std::string> more{"--rays-in-flight", "12", "--latency", "1,40", "--refuse", "10"};
+  const std::vector<std::string> more{"--rays-in-flight", "12", "--memory",
+                                      "ideal,latency=1..40,refused_percent=10"};
   std::vector<std::string> native = words(more);
   native.push_back("--native");
   const Outcome verilog = run_hitpipe(words(more));
@@ -241,7 +242,8 @@ TEST(TraceCommand, RefusesWhatItCannotDo) {
   };
   EXPECT_THAT(refused({"--rays-in-flight", "257"}), HasSubstr("1 to 256"));
   EXPECT_THAT(refused({"--stack", "7"}), HasSubstr("--stack 7: allowed is a power of two"));
-  EXPECT_THAT(refused({"--latency", "9,3"}), HasSubstr("--latency 9,3: the first is the least"));
+  EXPECT_THAT(refused({"--memory", "ideal,latency=9..3"}),
+              HasSubstr("memory ideal: latency is 9..3; allowed is the least, and then the most"));
   EXPECT_THAT(refused({"--cache", "3"}), HasSubstr("power of two"));
   EXPECT_THAT(refused({"--bits", "20/24"}), HasSubstr("n+gsS"));
   EXPECT_THAT(refused({"--triangle-ii", "2"}), HasSubstr("3 to 64"));

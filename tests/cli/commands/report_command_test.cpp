@@ -297,17 +297,11 @@ TEST_F(ReportCommand, AsksTheQuestionOfTheIntegerWorld) {
 
 /// The rows of core.csv as values by column.
 std::vector<std::map<std::string, std::string>> core_rows(const fs::path& folder) {
-  const auto cells = [](const std::string& line) {
-    std::vector<std::string> made;
-    std::istringstream text(line + ",");
-    for (std::string cell; std::getline(text, cell, ',');) made.push_back(cell);
-    return made;
-  };
   std::vector<std::map<std::string, std::string>> rows;
   const std::vector<std::string> lines = lines_of(contents_of(folder / "core.csv"));
-  const std::vector<std::string> columns = cells(lines.front());
+  const std::vector<std::string> columns = host::csv_cells(lines.front());
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    const std::vector<std::string> values = cells(lines[i]);
+    const std::vector<std::string> values = host::csv_cells(lines[i]);
     EXPECT_EQ(values.size(), columns.size()) << lines[i];
     auto& row = rows.emplace_back();
     for (std::size_t c = 0; c < std::min(values.size(), columns.size()); ++c) row[columns[c]] = values[c];
@@ -402,7 +396,7 @@ TEST_F(ReportCommand, NamesCommandsThatTraceTheSameCores) {
       "hitpipe core trace --native --scene spheres --builder sah --max-triangles 2 --width 8 --height 8 "
       "--bits "
       "20+1s20 "
-      "--triangle-ii 4 --rays-in-flight 8,16,32,64,128,192,256 --latency 20 --format csv";
+      "--triangle-ii 4 --rays-in-flight 8,16,32,64,128,192,256 --memory ideal,latency=20 --format csv";
   EXPECT_THAT(page_, HasSubstr(of_page + "\n"));
   for (const std::string& line : of_trace(of_page)) EXPECT_THAT(csv, HasSubstr("," + line + ","));
 }

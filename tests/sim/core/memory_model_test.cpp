@@ -37,9 +37,9 @@ ref::CoreBlock block_at(std::uint32_t number) {
 
 std::string text(const MemoryOptions& o) {
   return fmt::format(
-      "latency {} to {}, in order {}, interval {}, refused {} %, waiting {}, cache {} KiB of {}",
-      o.least_latency, o.most_latency, o.in_order, o.interval, o.refused_percent, o.most_waiting, o.cache_kib,
-      o.hit_latency);
+      "latency {} to {}, in order {}, interval {} and {}, refused {} %, waiting {}, cache {} KiB of {}",
+      o.least_latency, o.most_latency, o.in_order, o.interval, o.line_interval, o.refused_percent,
+      o.most_waiting, o.cache_kib, o.hit_latency);
 }
 
 std::vector<MemoryOptions> combinations() {
@@ -55,6 +55,7 @@ std::vector<MemoryOptions> combinations() {
                              .most_latency = most,
                              .in_order = in_order,
                              .interval = interval,
+                             .line_interval = 5 - interval,
                              .refused_percent = refused_percent,
                              .most_waiting = most_waiting,
                              .cache_kib = cache_kib,
@@ -255,11 +256,11 @@ TEST(MemoryModel, ABusyMemoryGivesABlockInEachInterval) {
   }
 }
 
-TEST(MemoryModel, ALineTakesTheTimeOfTwoBlocksAndAHitNone) {
-  const MemoryOptions options{.least_latency = 20, .most_latency = 20, .interval = 3, .cache_kib = 16};
+TEST(MemoryModel, ALineTakesItsTimeAndAHitNone) {
+  const MemoryOptions options{.least_latency = 20, .most_latency = 20, .line_interval = 7, .cache_kib = 16};
   const std::vector<std::uint64_t> lines = busy(options, 500, [](std::uint32_t cycle) { return 2 * cycle; });
-  for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(lines[i], 20 + 6 * i);
-  EXPECT_EQ(lines.size(), 81U);
+  for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(lines[i], 20 + 7 * i);
+  EXPECT_EQ(lines.size(), 69U);
 
   // The line is there from cycle 20; until then everybody waits for it.
   const std::vector<std::uint64_t> one = busy(options, 500, [](std::uint32_t cycle) { return cycle % 2; });
@@ -391,6 +392,7 @@ TEST(MemoryModel, SaysWhichOptionsAreAllowed) {
   EXPECT_EQ(refusal({.least_latency = 9, .most_latency = 8}),
             "a memory's latency of 9 to 8 cycles: the least comes first");
   EXPECT_EQ(refusal({.interval = 0}), "a memory's interval of 0 cycles: allowed is 1 to 10000");
+  EXPECT_EQ(refusal({.line_interval = 0}), "a memory's interval of lines of 0 cycles: allowed is 1 to 10000");
   EXPECT_EQ(refusal({.hit_latency = 0}), "a memory's hit latency of 0 cycles: allowed is 1 to 10000");
   for (const int percent : {-1, 100})
     EXPECT_EQ(refusal({.refused_percent = percent}),

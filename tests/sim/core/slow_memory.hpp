@@ -52,7 +52,7 @@ class SlowMemory {
     const bool cached = options_.cache_kib > 0;
     const auto read = first(reads_, cycle_);
     if (read != reads_.end() && cycle_ >= free_) {
-      free_ = cycle_ + static_cast<std::uint64_t>(options_.interval * (cached ? 2 : 1));
+      free_ = cycle_ + static_cast<std::uint64_t>(cached ? options_.line_interval : options_.interval);
       for (Request& request : requests_)
         if (std::count(read->requests.begin(), read->requests.end(), request.number) > 0)
           request.ready = cycle_;

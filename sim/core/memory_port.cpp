@@ -1,0 +1,136 @@
+#include "sim/core/memory_port.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/text.hpp"
+#include "sw_ref/core/core_image.hpp"
+#include "sw_ref/memory/line_cache.hpp"
+#include "sw_ref/scene/json_place.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+constexpr std::array known{
+    KnownMemory{"ideal", "latency 100, a block in every cycle", {}},
+    KnownMemory{
+        "dram",
+        "latency 30, 9 cycles for 32 bytes, 12 for 64",
+        {.least_latency = 30, .most_latency = 30, .beat_bytes = 32, .beat_cycles = 3, .burst_cycles = 6}},
+    KnownMemory{"axi-256", "latency 60, 32 bytes in every cycle", {.least_latency = 60, .most_latency = 60}}};
+
+struct Figure {
+  std::string_view name;
+  int MemoryPort::*value;
+  int least, most;
+};
+constexpr std::array figures{Figure{"beat_bytes", &MemoryPort::beat_bytes, 1, 64},
+                             Figure{"beat_cycles", &MemoryPort::beat_cycles, 1, 100},
+                             Figure{"burst_cycles", &MemoryPort::burst_cycles, 0, 1000},
+                             Figure{"refused_percent", &MemoryPort::refused_percent, 0, 99}};
+
+[[noreturn]] void refuse(std::string_view figure, std::string_view value, std::string_view allowed) {
+  throw std::runtime_error(fmt::format("{} is {}; allowed is {}", figure, value, allowed));
+}
+
+int number_of(std::string_view figure, const std::string& text, int least, int most) {
+  const auto number = host::number_in<int>(text);
+  if (!number || *number < least || *number > most)
+    refuse(figure, text, fmt::format("{} to {}", least, most));
+  return *number;
+}
+
+void set(MemoryPort& port, const std::string& name, const std::string& value) {
+  if (name == "latency") {
+    const std::size_t dots = value.find("..");
+    const auto cycles = [](const std::string& text) {
+      return number_of("latency", text, 1, MemoryOptions::most_cycles);
+    };
+    port.least_latency = cycles(value.substr(0, dots));
+    port.most_latency = dots == std::string::npos ? port.least_latency : cycles(value.substr(dots + 2));
+    if (port.least_latency > port.most_latency) refuse("latency", value, "the least, and then the most");
+    return;
+  }
+  const auto figure =
+      std::find_if(figures.begin(), figures.end(), [&](const Figure& each) { return each.name == name; });
+  if (figure == figures.end()) {
+    std::vector<std::string_view> names{"latency"};
+    for (const Figure& each : figures) names.push_back(each.name);
+    throw std::runtime_error(
+        fmt::format("there is no figure {}; allowed is {}", name, fmt::join(names, ", ")));
+  }
+  port.*(figure->value) = number_of(name, value, figure->least, figure->most);
+  if (name == "beat_bytes" && (port.beat_bytes & (port.beat_bytes - 1)) != 0)
+    refuse(name, value, "a power of two");
+}
+
+MemoryPort port_of(const std::filesystem::path& file) {
+  const nlohmann::json text = ref::parse_json(file);
+  const ref::Place top(text);
+  top.expect_object({"latency", "beat_bytes", "beat_cycles", "burst_cycles", "refused_percent"});
+  MemoryPort port;
+  for (const auto& [name, place] : top.members()) {
+    const auto count = [](const ref::Place& each) { return each.count(MemoryOptions::most_cycles); };
+    const bool is_range = name == "latency" && text.at(name).is_array();
+    if (is_range && place.size() != 2)
+      place.fail("it has not two numbers; allowed is the least and the most");
+    set(port, name,
+        is_range ? fmt::format("{}..{}", count(place.element(0)), count(place.element(1)))
+                 : fmt::format("{}", count(place)));
+  }
+  return port;
+}
+
+MemoryPort named(const std::string& name) {
+  for (const KnownMemory& each : known)
+    if (each.name == name) return each.port;
+  if (std::filesystem::exists(name)) return port_of(name);
+  std::vector<std::string_view> names;
+  for (const KnownMemory& each : known) names.push_back(each.name);
+  throw std::runtime_error(
+      fmt::format("there is no memory {}; allowed is {}, or a JSON file", name, fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+int MemoryPort::cycles_of(int bytes) const {
+  return (bytes + beat_bytes - 1) / beat_bytes * beat_cycles + burst_cycles;
+}
+
+std::span<const KnownMemory> known_memories() {
+  return known;
+}
+
+MemoryPort memory_port(const std::string& text) {
+  const std::vector<std::string> parts = host::csv_cells(text);
+  try {
+    MemoryPort port = named(parts.front());
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      const std::size_t equals = parts[i].find('=');
+      if (equals == std::string::npos) refuse("a figure", parts[i], "FIGURE=N");
+      set(port, parts[i].substr(0, equals), parts[i].substr(equals + 1));
+    }
+    return port;
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("memory {}: {}", parts.front(), error.what()));
+  }
+}
+
+MemoryOptions memory_behind(const MemoryPort& port, int beats) {
+  constexpr auto block = static_cast<int>(ref::core_block_bytes);
+  constexpr auto line = static_cast<int>(ref::CacheShape{}.line_bytes);
+  return {.least_latency = port.least_latency,
+          .most_latency = port.most_latency,
+          .interval = std::max(port.cycles_of(block), beats),
+          .line_interval = std::max(port.cycles_of(line), line / block * beats),
+          .refused_percent = port.refused_percent};
+}
+
+}  // namespace hitpipe::sim
