@@ -287,7 +287,7 @@ WEIGHTS_READ    }
   for (int i = 0; i < 20; ++i) {
     // After a reset there may be few rays, and never more than the core has room for.
     host.start(host.blocks(), 0xffffffffu, i % 4 == 0 ? CORE_RAYS + 1 + system.random() % CORE_RAYS : 1 + system.random() % CORE_RAYS);
-    host.trace(i % 8 == 0 ? 2 * CORE_RAYS : 3);
+    host.trace(i % 8 < 2 ? 2 * CORE_RAYS : 3);
     host.fill();
     host.hold(i % 2 == 1, i % 4 > 1);
     host.stop();
