@@ -103,7 +103,8 @@ def measure(hitpipe, options, folder, jobs, kept):
     """The core's name, its coverage by its testbench and its harness, and its constant bits."""
     run([hitpipe, "core", "rtl", *options.split(), "--out", folder], folder.parent)
     tb = folder / "tb"
-    core = next(tb.glob("*_tb.sv")).name[:-len("_tb.sv")]
+    # Its units have testbenches too, whose names are longer.
+    core = min((file.name for file in tb.glob("*_tb.sv")), key=len)[:-len("_tb.sv")]
     if kept and (kept / "harness.dat").exists():
         datas = [(kept / f"{name}.dat").read_text(errors="replace") for name in SIMULATIONS]
     else:
