@@ -191,7 +191,8 @@ std::vector<VectorGroup> PortVectors::groups(std::size_t count) {
 
 VectorGroup PortVectors::rare(const std::vector<VectorGroup>& groups, std::size_t count) {
   VectorGroup rare{"rare_bits", {}};
-  // The logic of a float operator is too long to be run for each of its bits. Floats near the ends of their range reach most.
+  // The logic of a float operator is too long to be run for each of its bits. Floats near the ends of their
+  // range reach most of them.
   if (unit_.graph.submodules().empty()) {
     ShownBits shown(unit_.graph, unit_.ports);
     for (const VectorGroup& group : groups) {

@@ -76,19 +76,20 @@ struct FlowText {
   }
   [[nodiscard]] const char* only_with_ready(const char* text) const { return ready ? text : ""; }
 
-  /// From the choice of gaps to the last comparison. `compare` are lines that compare results and tag.
-  [[nodiscard]] std::string drive(const std::string& compare) const {
+  /// From the choice of gaps to the last comparison. `compare` are lines that compare results and tag, and
+  /// `takes` lines that look at in_ready.
+  [[nodiscard]] std::string drive(const std::string& compare, const std::string& takes) const {
     if (ready)
       return fmt::format(R"(      out_ready = !full && random[17:16] != 2'd0;
       #1;
-      if (out_valid && out_ready) begin
+{}      if (out_valid && out_ready) begin
 {}        received = received + 1;
       end
 {}      @(negedge clk);
       cycles = cycles + 1;
     end
 )",
-                         compare,
+                         takes, compare,
                          rays || stream
                              ? fmt::format("      taken = in_valid && in_ready;\n{}      @(posedge clk);\n"
                                            "      #1 if (taken) sent = sent + 1;\n{}",
@@ -280,6 +281,14 @@ std::string testbench(const ModuleInterface& unit, int count, int latency, const
         end
 )",
       fmt::join(result.differences, " || "), result.formats, result.values);
+  const bool is_plain = slots == nullptr && !around.fifo && !around.axi_stream;
+  const char* const takes = ready && is_plain && unit.interval == 1
+                                ? R"(      if (in_ready !== (out_ready || !out_valid)) begin
+        $display("FAIL cycle %0d: in_ready %b, out_ready %b, out_valid %b", cycles, in_ready, out_ready, out_valid);
+        $fatal(1);
+      end
+)"
+                                : "";
   return fmt::format(
       R"(// Replays {module}_vectors.hex against {top}.v with random gaps{stalls}. Compares every result and
 // every tag. Prints PASS, or FAIL with the reason; $fatal then makes the exit code of the simulator non-zero.
@@ -407,7 +416,7 @@ endmodule
       fmt::arg("running", flow.ready   ? "received != COUNT && " + in_time
                           : flow.waits ? "idle != SILENT_CYCLES && " + in_time
                                        : "idle != SILENT_CYCLES"),
-      fmt::arg("drive", flow.drive(compare)));
+      fmt::arg("drive", flow.drive(compare, takes)));
 }
 
 std::string testbench_makefile() {
