@@ -90,9 +90,9 @@ void add_memory_option(CLI::App& command, std::string& memory) {
   std::string text = "The memory behind the bus. ";
   for (const sim::KnownMemory& each : sim::known_memories())
     text += fmt::format("{}: {}. ", each.name, each.what);
-  text +=
-      "A JSON file has latency, beat_bytes, beat_cycles, burst_cycles and refused_percent, and each of these "
-      "may follow a name: ideal,latency=1..200";
+  text += fmt::format(
+      "A JSON file has some of these figures: {}. They may also follow a name: ideal,latency=1..200",
+      sim::figure_names());
   command.add_option("--memory", memory, text)->capture_default_str()->type_name("NAME|FILE");
 }
 

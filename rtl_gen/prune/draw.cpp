@@ -125,7 +125,7 @@ std::int64_t pattern_of(std::int64_t number, int width) {
   return number < 0 ? ~number | std::int64_t{1} << (width - 1) : number;
 }
 
-/// Of a float of 9 bits or more, with an exponent of 8 bits.
+/// The number that a pattern stands for, in a format of 9 to 32 bits with 8 for the exponent.
 float real_of(std::int64_t pattern, int width) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(pattern) << (32 - width));
 }

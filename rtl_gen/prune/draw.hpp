@@ -26,7 +26,8 @@ class Draw {
   /// number. A float also has infinity, NaN and the ends of the subnormals.
   [[nodiscard]] std::vector<std::int64_t> corners(std::mt19937_64& random) const;
   /// `operands` with all points times a power of two, and all directions times another. A hit often stays one
-  /// where floats overflow or are subnormal. For floats with an exponent of 8 bits.
+  /// where floats overflow or are subnormal. Only floats with an exponent of 8 bits are read right; of others
+  /// the result is some operands.
   [[nodiscard]] std::vector<std::int64_t> scaled(const std::vector<std::int64_t>& operands,
                                                  std::mt19937_64& random) const;
   /// A few ports of `operands`, as demanded themselves, are put at a corner.

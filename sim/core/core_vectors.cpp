@@ -182,7 +182,7 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   };
   const auto aimed_job = [&](const ref::IntScene& scene) -> CoreJob {
     CoreJob made = job();
-    // From a corner of the cube to the opposite face of a tetrahedron, numbers are as large as they can be.
+    // A ray from this corner of the cube to the first triangle of largest_scene() has the largest numbers.
     if (random.below(3) == 0) made.ray.origin = glm::vec3(-1);
     if (random.below(3) != 0) made.ray.length = ref::Ray::infinite;
     made.ray.direction = point_of_one(scene, random) - made.ray.origin;

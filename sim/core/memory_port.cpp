@@ -60,12 +60,8 @@ void set(MemoryPort& port, const std::string& name, const std::string& value) {
   }
   const auto figure =
       std::find_if(figures.begin(), figures.end(), [&](const Figure& each) { return each.name == name; });
-  if (figure == figures.end()) {
-    std::vector<std::string_view> names{"latency"};
-    for (const Figure& each : figures) names.push_back(each.name);
-    throw std::runtime_error(
-        fmt::format("there is no figure {}; allowed is {}", name, fmt::join(names, ", ")));
-  }
+  if (figure == figures.end())
+    throw std::runtime_error(fmt::format("there is no figure {}; allowed is {}", name, figure_names()));
   port.*(figure->value) = number_of(name, value, figure->least, figure->most);
   if (name == "beat_bytes" && (port.beat_bytes & (port.beat_bytes - 1)) != 0)
     refuse(name, value, "a power of two");
@@ -74,7 +70,6 @@ void set(MemoryPort& port, const std::string& name, const std::string& value) {
 MemoryPort port_of(const std::filesystem::path& file) {
   const nlohmann::json text = ref::parse_json(file);
   const ref::Place top(text);
-  top.expect_object({"latency", "beat_bytes", "beat_cycles", "burst_cycles", "refused_percent"});
   MemoryPort port;
   for (const auto& [name, place] : top.members()) {
     const auto count = [](const ref::Place& each) { return each.count(MemoryOptions::most_cycles); };
@@ -106,6 +101,12 @@ int MemoryPort::cycles_of(int bytes) const {
 
 std::span<const KnownMemory> known_memories() {
   return known;
+}
+
+std::string figure_names() {
+  std::string names = "latency";
+  for (const Figure& each : figures) names += fmt::format(", {}", each.name);
+  return names;
 }
 
 MemoryPort memory_port(const std::string& text) {

@@ -28,13 +28,15 @@ struct KnownMemory {
 };
 
 [[nodiscard]] std::span<const KnownMemory> known_memories();
+/// What a memory's figures are called, with commas between them.
+[[nodiscard]] std::string figure_names();
 
 /// "dram", "memory.json", or one of them with other figures: "ideal,latency=1..200". A file is a JSON object with
-/// some of latency (a number, or the least and the most), beat_bytes, beat_cycles, burst_cycles and refused_percent;
-/// the others are those of `ideal`. Throws std::runtime_error, one line.
+/// some of the figures. Its latency is a number, or an array of the least and the most. Figures that it does not
+/// name are those of `ideal`. Throws std::runtime_error, one line.
 [[nodiscard]] MemoryPort memory_port(const std::string& text);
 
-/// The memory behind a core's bus, which gives a block in `beats` cycles at best. No cache.
+/// The memory as a core sees it through a bus that needs `beats` cycles for a block. It has no cache.
 [[nodiscard]] MemoryOptions memory_behind(const MemoryPort& port, int beats);
 
 }  // namespace hitpipe::sim

@@ -18,8 +18,8 @@ namespace hitpipe::sim {
 
 /// Each triangle has its corners at most 2 * `size` from each other on an axis. 0 < size <= 1.
 [[nodiscard]] ref::Scene random_scene(std::uint32_t triangles, float size, ref::adversary::Random& random);
-/// The triangles' corners are corners of the cube. Some have no area. The first two are the face of a regular
-/// tetrahedron that is opposite to (-1, -1, -1), from both sides.
+/// The triangles' corners are corners of the cube. Some have no area. The first is a face of a regular
+/// tetrahedron whose fourth corner is (-1, -1, -1). The second is the same face from its other side.
 [[nodiscard]] ref::Scene largest_scene(std::uint32_t triangles, ref::adversary::Random& random);
 [[nodiscard]] ref::Scene joined(ref::Scene scene, const ref::Scene& other);
 

@@ -87,7 +87,7 @@ rtl::Vector drawn(CategoryCases& cases, bool hit) {
   return vector;
 }
 
-/// Hits and misses alternate; so do single vectors and pairs across the border beside them.
+/// Hits and misses alternate. In place of two of four vectors there are others, at the border beside them.
 rtl::VectorGroup group_of(std::string_view name, CategoryCases& cases, rtl::PortVectors& ports,
                           std::size_t count) {
   rtl::VectorGroup group{std::string(name), {}};
@@ -102,7 +102,7 @@ rtl::VectorGroup group_of(std::string_view name, CategoryCases& cases, rtl::Port
   return group;
 }
 
-/// `count` vectors of all categories. A category's seed is `stream` and its place.
+/// Adds `count` vectors, as many of each category. Each category has a seed of its own.
 template <class Cases, class Test, class Categories>
 void add_categories(rtl::VectorSet& set, Test& test, const Categories& categories, rtl::PortVectors& ports,
                     std::size_t count, std::uint64_t stream) {
