@@ -2,9 +2,8 @@
 JOBS ?= $(shell nproc)
 # Tests that `make sanitize` runs, as `ctest -R` selects them.
 SANITIZED ?= .
-# What has threads: pieces of work side by side, signals, processes, walks. Hierarchies and renders share memory through tasks of
-# oneTBB, and its library is not instrumented, so ThreadSanitizer sees races there that are none.
-THREADED := ^host/|sw_ref/trace/|int_tracer_test
+# What has threads: pieces of work side by side, signals, processes, walks, hierarchies, renders.
+THREADED := ^host/|sw_ref/(trace|hierarchy)/|(render|whitted|int_tracer)_test
 # TEST_PATH=FOLDER: tests find programs in that folder only.
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
@@ -21,7 +20,7 @@ help:
 	@echo 'make sanitize  all tests under ASan and UBSan'
 	@echo 'make threads   tests of what runs in several threads, under ThreadSanitizer'
 	@echo 'make fuzz      libFuzzer, SECONDS=60 in all: loaders, command line, what is printed'
-	@echo 'make mutants   3,000 faults in the Verilog of cores and units; MUTANTS="--seed 2 --core-faults 50" chooses others'
+	@echo 'make mutants   3,500 faults in the Verilog of cores and units; MUTANTS="--seed 2 --core-faults 50" chooses others'
 	@echo 'make coverage  lines and bits of cores that their own testbenches and harnesses reach; COVERAGE="--only small" takes one core'
 	@echo 'make prove     the Verilog equals its combinational form: yosys and z3; DESIGN=x BITS=y II=N proves one unit'
 	@echo 'make prove-all-widths  int_major never misses, for all widths: Coq'

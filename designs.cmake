@@ -25,6 +25,7 @@ set(HITPIPE_MACHINES
   door
   pair_feed
   triangle_feed
+  ties
   serial_triangle
   replies
   weights
@@ -32,5 +33,7 @@ set(HITPIPE_MACHINES
   requests
   beats
   scene_memory
+  cache
+  rings
   read_meter
 )

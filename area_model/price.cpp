@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "area_model/mapped_registers.hpp"
+#include "area_model/mapped_tables.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "rtl_gen/machine/module.hpp"
 #include "rtl_gen/schedule/divided_unit.hpp"
@@ -20,13 +22,33 @@ std::int64_t as_printed(std::int64_t area_um2) {
   return (area_um2 + printed_unit_um2 / 2) / printed_unit_um2 * printed_unit_um2;
 }
 
+/// Whether what such a part takes depends on what is around it, where a chip's tables are mapped.
+bool is_mapped(const Part& part) {
+  switch (part.component) {
+    case rtl::Component::int_subtract:
+    case rtl::Component::int_compare:
+    case rtl::Component::mux2:
+    case rtl::Component::gate:
+      return true;
+    case rtl::Component::latch:
+      return part.purpose == Purpose::datapath || part.purpose == Purpose::tag;
+    default:
+      return false;
+  }
+}
+
 /// The cells of a unit on a chip: of its parts, which are gates, adders and blocks like all others.
 rtl::ChipCells taken_by(const rtl::DividedUnit& inside, const rtl::Library& library) {
   rtl::ChipCells taken;
+  const bool maps = library.chip()->maps_tables;
   for (const Count& count : count_logic(inside.body, inside.schedule, inside.placement, Gates::counted)) {
-    if (count.part.purpose == Purpose::block) continue;
+    if (count.part.purpose == Purpose::block || (maps && is_mapped(count.part))) continue;
     taken += count.n * library.cell(count.part.component, count.part.bits).taken;
   }
+  if (!maps) return taken;
+  for (const auto& [part, cells] :
+       mapped_cells(inside.body, {inside.schedule, {}}, inside.placement, *library.chip()))
+    taken += cells;
   return taken;
 }
 
@@ -87,15 +109,28 @@ Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, co
     price.by_stage[stage].stage = static_cast<int>(stage);
 
   const PartPrices prices(pipeline, library);
+  const bool maps = library.chip() != nullptr && library.chip()->maps_tables;
+  MappedCells mapped;
+  if (maps) {
+    mapped = mapped_cells(pipeline.graph, {pipeline.schedule, pipeline.binding}, pipeline.placement,
+                          *library.chip());
+    mapped.merge(mapped_tags(pipeline, *library.chip()));
+  }
   std::map<Part, int> totals;
+  std::map<Part, rtl::ChipCells> taken;
   for (const Count& count : counts) {
     StagePrice& stage = price.by_stage[static_cast<std::size_t>(count.stage)];
-    stage.lines.push_back(prices.line(count.part, count.n));
-    stage.area_um2 += stage.lines.back().area_um2;
-    stage.taken += stage.lines.back().taken;
+    Line& line = stage.lines.emplace_back(prices.line(count.part, count.n));
+    if (maps && is_mapped(count.part)) line.taken = mapped[{count.stage, count.part}];
+    stage.area_um2 += line.area_um2;
+    stage.taken += line.taken;
     totals[count.part] += count.n;
+    taken[count.part] += line.taken;
   }
-  for (const auto& [part, n] : totals) price.lines.push_back(prices.line(part, n));
+  for (const auto& [part, n] : totals) {
+    price.lines.push_back(prices.line(part, n));
+    price.lines.back().taken = taken[part];
+  }
   for (const Line& line : price.lines) price.taken += line.taken;
   if (library.chip() != nullptr && library.chip()->packs_registers) {
     std::int64_t packed =
@@ -146,10 +181,18 @@ MachinePrice price(const rtl::MachineGraph& machine, const rtl::Library& library
   step.schedule.clock_ps = price.clock_ps;
   const Gates gates = library.chip() != nullptr ? Gates::counted : Gates::left_out;
   std::map<Part, int> parts;
+  std::map<Part, rtl::ChipCells> taken;
+  const bool maps = library.chip() != nullptr && library.chip()->maps_tables;
+  if (maps) {
+    for (const auto& [key, cells] :
+         mapped_cells(step.graph, {step.schedule, {}}, step.placement, *library.chip()))
+      taken[key.second] += cells;
+  }
   for (const Count& count : count_logic(step.graph, step.schedule, step.placement, gates))
     parts[count.part] += count.n;
   for (const hls::Field& field : machine.state) {
     ++parts[{rtl::Component::latch, field.width}];
+    taken[{rtl::Component::latch, field.width}].registers += field.width;
     price.register_bits += field.width;
   }
   for (const hls::MemoryShape& memory : machine.memories)
@@ -157,6 +200,7 @@ MachinePrice price(const rtl::MachineGraph& machine, const rtl::Library& library
   const PartPrices prices(step, library);
   for (const auto& [part, n] : parts) {
     price.lines.push_back(prices.line(part, n));
+    if (maps && is_mapped(part)) price.lines.back().taken = taken[part];
     price.area_um2 += price.lines.back().area_um2;
     price.taken += price.lines.back().taken;
   }

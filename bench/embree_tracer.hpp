@@ -1,5 +1,4 @@
-// Embree 3 with its default settings, one ray at a time: a well-known tracer to compare with. For benchmarks
-// only.
+// Embree 3, one ray at a time: a well-known tracer to compare with. For benchmarks only.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +13,18 @@
 
 namespace hitpipe::bench {
 
+struct EmbreeOptions {
+  const char* device = nullptr;  ///< as rtcNewDevice() reads it; null: Embree's own choice
+  bool robust = false;           ///< RTC_SCENE_FLAG_ROBUST
+};
+
 class EmbreeTracer {
  public:
-  explicit EmbreeTracer(const ref::Mesh& mesh) : device_(rtcNewDevice(nullptr)) {
+  explicit EmbreeTracer(const ref::Mesh& mesh, const EmbreeOptions& options = {})
+      : device_(rtcNewDevice(options.device)) {
     if (!device_) throw std::runtime_error("Embree: no device");
     scene_ = rtcNewScene(device_);
+    if (options.robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* const vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.vertices.size()));

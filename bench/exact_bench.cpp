@@ -1,7 +1,8 @@
 // The exact arithmetic of sw_ref on random input with a fixed seed: box referee (filtered, and integers
-// only), triangle test on small triangles (one test in four and one in 28 is a hit), box quantisation,
+// only), triangle test on small triangles (one test in four and one in 28 is a hit), distances and weights of hits, box quantisation,
 // integer ray set-up, and the length of a shortened ray. One item is one test or one set-up. The data fit the
 // first cache levels.
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -108,6 +109,22 @@ void triangle_test(benchmark::State& state) {
   state.counters["hit_share"] = static_cast<double>(hits) / static_cast<double>(case_count);
 }
 BENCHMARK(triangle_test)->ArgName("spread_tenths")->Arg(0)->Arg(15);
+
+/// Where a ray's line meets the plane of a triangle: its distance, or the weights of the corners too. `wide` has
+/// origins with more digits than 128 bits allow.
+template <auto find>
+void plane(benchmark::State& state) {
+  TriangleCases cases = triangle_cases(0);
+  if (state.range(0) != 0)
+    for (ref::Ray& ray : cases.rays) ray.origin.x = std::ldexp(ray.origin.x, -30);
+  for (auto _ : state) {
+    for (std::uint32_t i = 0; i < case_count; ++i)
+      benchmark::DoNotOptimize(find(cases.mesh.corners(i), cases.rays[i]));
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(case_count));
+}
+BENCHMARK(plane<ref::plane_distance>)->ArgName("wide")->Arg(0)->Arg(1);
+BENCHMARK(plane<ref::plane_point>)->ArgName("wide")->Arg(0)->Arg(1);
 
 void quantise_box(benchmark::State& state) {
   const std::vector<ref::Aabb> boxes = random_boxes();

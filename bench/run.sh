@@ -6,3 +6,5 @@ for program in num_bench fp_bench box_test_bench exact_bench traversal_bench bui
   echo "== $program"
   "build/bench/$program" --benchmark_color=false "$@"
 done
+echo "== rays_bench"
+build/bench/rays_bench

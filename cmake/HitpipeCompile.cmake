@@ -19,6 +19,15 @@ if(HITPIPE_SANITIZE)
   target_link_options(hitpipe_compile INTERFACE -fsanitize=${HITPIPE_SANITIZE})
 endif()
 
+# A source that is chosen at run time, so it alone is compiled for AVX2. With -O2 in every build: what it shares with other sources
+# is then inlined, and the linker has no copy for AVX2 to give to them. A folder says it of its own targets.
+function(hitpipe_compile_for_avx2 source)
+  set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-mavx2;-O2")
+  endif()
+endfunction()
+
 # The headers that nearly every source reads, compiled once. A target reads them with REUSE_FROM hitpipe_headers.
 if(NOT HITPIPE_TOOLS)
   return()

@@ -31,7 +31,9 @@ static_assert(same(HITPIPE_HIT, hls::Meaning::hit) && same(HITPIPE_ENTERS, hls::
               same(HITPIPE_LEAVES, hls::Meaning::exit) && same(HITPIPE_SECOND_FIRST, hls::Meaning::order) &&
               same(HITPIPE_DETERMINANT, hls::Meaning::determinant) &&
               same(HITPIPE_EDGE_V_LOW, hls::Meaning::edge_v_low) &&
-              same(HITPIPE_ERROR, hls::Meaning::error) && same(HITPIPE_RAY_LENGTH, hls::Meaning::length));
+              same(HITPIPE_ERROR, hls::Meaning::error) && same(HITPIPE_RAY_LENGTH, hls::Meaning::length) &&
+              same(HITPIPE_TIE, hls::Meaning::tie) && same(HITPIPE_SIDE, hls::Meaning::side) &&
+              same(HITPIPE_INNER, hls::Meaning::inner));
 
 /// What does not change, as strings that C can read.
 struct Facts {

@@ -1,4 +1,6 @@
 // From a scene's own units into the cube.
+#include "library/cube.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,6 +37,8 @@ ref::BasicAabb<double> checked_bounds(const hitpipe_bounds& bounds, const char* 
   return own;
 }
 
+}  // namespace
+
 ref::Normalisation checked_transform(const hitpipe_transform* transform) {
   if (transform == nullptr) return {};
   const ref::Normalisation own{vector(transform->offset), transform->scale};
@@ -48,7 +52,6 @@ ref::Normalisation checked_transform(const hitpipe_transform* transform) {
   return own;
 }
 
-}  // namespace
 }  // namespace hitpipe::library
 
 using namespace hitpipe::library;  // NOLINT(google-build-using-namespace): what follows is this namespace's,

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
+#include "host/parallel.hpp"
 #include "sw_ref/render/recording.hpp"
 #include "thesis/printed.hpp"
 #include "thesis/tables.hpp"
@@ -58,11 +58,7 @@ SceneCounts run(const Scene& scene, Algorithm algorithm, const ExperimentOptions
                             : integer_tracer(scene, grids.at(i / 3), algorithm, formats.at(i));
     counts.by_format.at(i) = measure(*tracer, counts.batches, 1);
   };
-  if (options.threads == 1) {
-    for (std::size_t i = 0; i < counts.by_format.size(); ++i) count(i);
-  } else {
-    tbb::parallel_for(std::size_t{0}, counts.by_format.size(), count);
-  }
+  host::for_each_index(counts.by_format.size(), options.threads, count);
   return counts;
 }
 

@@ -16,6 +16,7 @@
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/closed_text.hpp"
 #include "cli/text/help.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
@@ -86,6 +87,7 @@ Row record(const BvhCommand& command, const ref::Scene& scene, const ref::Loaded
   Row row{{"scene", scene.name}};
   row.update(scene_row(scene));
   row.update(extent_of(scene, command.format));
+  row.update(closed_row(scene, command.format));
   if (command.hierarchy.file.empty()) {
     row["builder"] = ref::builder_name(command.hierarchy.build.builder);
     row["max_triangles"] = command.hierarchy.build.max_triangles;

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/commands/categories.hpp"
+#include "cli/commands/box_check.hpp"
 #include "cli/commands/stiff_check.hpp"
 #include "cli/commands/triangle_check.hpp"
 #include "cli/options/design_options.hpp"
@@ -19,13 +19,11 @@
 #include "cli/text/check_report.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/help.hpp"
-#include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "hls/num/bits.hpp"
 #include "host/text.hpp"
-#include "sim/check/check.hpp"
+#include "sim/check/box_test.hpp"
 #include "sim/check/shares.hpp"
-#include "sim/software.hpp"
 #include "sim/unit/drive.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 
@@ -34,7 +32,6 @@ namespace hitpipe::cli {
 namespace {
 
 using ref::adversary::Case;
-using ref::adversary::Category;
 
 constexpr std::uint64_t most_stiff = 1'000'000'000;
 
@@ -46,6 +43,7 @@ struct CheckCommand {
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   bool rtl = false;
   int interval = 1;
+  bool safe = false;
   bool stiff = false;
   std::optional<std::string> replay;
   PiecesChoice pieces;
@@ -54,66 +52,46 @@ struct CheckCommand {
   OutputFormat format = OutputFormat::text;
 };
 
-/// The adversary's categories and those made for the design.
-std::vector<Category> chosen_categories(const rtl::Design& design, const std::vector<std::string>& names) {
-  const auto general = ref::adversary::categories();
-  std::vector<Category> all(general.begin(), general.end());
-  const std::vector<Category>& own = sim::software_of(design).categories;
-  all.insert(all.end(), own.begin(), own.end());
-  return chosen_of(all, names);
-}
-
-CheckFindings findings(const CheckCommand& command, host::Piece piece) {
-  const rtl::Design& design = command.choice.design();
-  const rtl::Format format = command.choice.format();
-  std::optional<Progress> progress;
-  std::optional<sim::VerilatedDesign> verilated;
-  if (command.rtl) {
-    progress.emplace("compiling the Verilog");
-    verilated.emplace(rtl::make_unit(design, format, rtl::Library::thesis(), {.interval = command.interval}));
-  }
-  progress.emplace("judging");
-  const sim::MakeBoxTest& make_comparison = sim::software_of(design).comparison_test;
-  const double runs = make_comparison ? 2.0 : 1.0;
-  double finished = 0;
-  sim::CheckOptions options{.categories = chosen_categories(design, command.categories),
-                            .tests = command.tests,
-                            .seed = command.seed,
-                            .piece = piece,
-                            .threads = command.threads,
-                            .rtl = verilated ? &*verilated : nullptr,
-                            .progress = [&](double share) { progress->show((finished + share) / runs); }};
-  CheckFindings found{
-      .design = std::string(design.name), .format = format, .seed = command.seed, .rtl = command.rtl};
-  found.categories = sim::check([&] { return sim::make_box_test(design, format); }, options);
-  if (make_comparison) {
-    finished = 1;
-    options.rtl = nullptr;
-    found.comparison = sim::check(make_comparison, options);
-  }
-  return found;
+/// `comparison`: also judges the design's comparison, if it has one.
+BoxCheck box_check(const CheckCommand& command, host::Piece piece, bool comparison) {
+  return {command.categories, command.tests,    command.seed, command.threads,
+          command.rtl,        command.interval, piece,        comparison};
 }
 
 int judge(const CheckCommand& command, const CLI::App& parsed) {
   const rtl::Design& design = command.choice.design();
   const bool triangles = design.kind == hls::triangle_kind;
-  const std::size_t categories = triangles ? triangle_categories(command.categories).size()
-                                           : chosen_categories(design, command.categories).size();
+  const std::size_t categories = triangles ? triangle_categories(command.choice, command.categories).size()
+                                           : box_categories(design, command.categories).size();
   const CutWork work{parsed, command.pieces, command.out, sim::Shares(command.tests, categories).batches(),
                      "batches of tests"};
   const auto find_triangles = [&](host::Piece piece) {
     return check_triangle_unit({command.choice, command.categories, command.tests, command.seed,
                                 command.threads, command.rtl, command.interval, piece});
   };
+  const auto find = [&](host::Piece piece) {
+    return check_box_unit(design, command.choice.format(), box_check(command, piece, true));
+  };
   return do_work(
       work,
-      [&](host::Piece piece) {
-        return triangles ? to_row(find_triangles(piece)) : to_row(findings(command, piece));
-      },
+      [&](host::Piece piece) { return triangles ? to_row(find_triangles(piece)) : to_row(find(piece)); },
       [&] {
         return triangles ? report_findings(find_triangles({}), command.format)
-                         : report_findings(findings(command, {}), command.format);
+                         : report_findings(find({}), command.format);
       });
+}
+
+/// Several designs and formats in one table.
+int judge_units(const CheckCommand& command, const DesignsChoice& choice, const CLI::App& parsed) {
+  const std::vector<sim::DesignFormats> units = compared_units(choice);
+  const auto find = [&](host::Piece piece) {
+    return check_box_units(units, box_check(command, piece, false));
+  };
+  return do_work(
+      {parsed, command.pieces, command.out, batches_of_each(units, box_check(command, {}, false)),
+       "batches of tests"},
+      [&](host::Piece piece) { return to_row(find(piece)); },
+      [&] { return report_findings(find({}), command.format); });
 }
 
 int judge_stiff(const CheckCommand& command, const StiffCheck& stiff, const CLI::App& parsed) {
@@ -144,6 +122,8 @@ int join(const CheckCommand& command, const CLI::App& parsed) {
                            {command.out, command.pictures, command.format, notes});
   }
   if (!command.out.empty()) throw std::runtime_error("--out: only stiff rays have files");
+  if (pieces.front().result.contains("units"))
+    return report_findings(sum_of(pieces, parse_units_findings), command.format);
   const auto name = [](const Row& row) { return row.at("design").get<std::string>(); };
   const rtl::Design& design = rtl::find_design(result_of(pieces.front(), name));
   return design.kind == hls::triangle_kind
@@ -189,7 +169,8 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
       program.add_subcommand("check", "Judge a design exactly, on rays and boxes made to break it");
   const auto options = std::make_shared<CheckCommand>();
   const auto stiff = std::make_shared<StiffCheck>();
-  add_designs_option(*command, stiff->units, "with --stiff those that never miss; otherwise name one");
+  CLI::Option* const names = add_designs_option(
+      *command, stiff->units, "with --stiff or --safe those that never miss; otherwise name some");
   add_bits_option(
       *command, stiff->units,
       "the design's own; with --stiff 24/24, 20/24, 16/16 and 12/12 for n/t designs, and at most 8");
@@ -208,6 +189,8 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
   add_interval_option(*command, options->interval)->needs(with_rtl);
   command->add_option("--replay", options->replay, "Judge the one case that a failed check printed")
       ->type_name("CASE");
+  CLI::Option* const is_safe =
+      command->add_flag("--safe", options->safe, "Judge all designs that never miss, in one table");
   CLI::Option* const is_stiff = command->add_flag(
       "--stiff", options->stiff,
       "Count false hits as the components of a ray's direction grow apart, of several designs and formats");
@@ -229,15 +212,16 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
   add_plot_width_option(*command, options->pictures, "With --stiff: ")->needs(is_stiff);
   for (const char* const other : {"--category", "--rtl", "--replay"})
     exclude(is_stiff, command->get_option(other), "stiff rays have cases of their own, and the C++ answers");
+  exclude(is_safe, is_stiff, "--stiff without a design takes the same designs");
+  exclude(is_safe, names, "it takes the designs that never miss");
   add_format_option(*command, options->format);
   CLI::Option* const out = add_pieces_options(
       *command, options->pieces, options->out, Output::folder,
       "With --stiff: folder for the rows as CSV and for the plots as SVG, PDF and gnuplot");
   command->get_option("--plot-width")->needs(out);
-  for (const char* const other : {"--pieces", "--piece", "--join"})
+  for (const char* const other : {"--pieces", "--piece", "--join", "--safe"})
     exclude(command->get_option("--replay"), command->get_option(other), "it judges one case");
-  add_examples(*command, {"hitpipe check int_slabs --tests 100000",
-                          "hitpipe check --stiff --scene spheres --out stiff"});
+  add_examples(*command, {"hitpipe check --safe", "hitpipe check --stiff --scene spheres --out stiff"});
   command->callback([options, stiff, tests, command, &exit_code] {
     if (!options->pieces.join.empty()) {
       exit_code = join(*options, *command);
@@ -255,7 +239,15 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
     }
     if (!options->out.empty() && !options->pieces.any())
       throw std::runtime_error("--out: needs --stiff, --pieces or --piece");
-    options->choice = stiff->units.only("check");
+    const DesignsChoice& units = stiff->units;
+    if (units.names.empty() && !options->safe)
+      throw std::runtime_error(
+          fmt::format("check: name designs, or give --safe; there are: {}", rtl::design_names()));
+    if (!options->replay && (units.names.size() != 1 || units.bits.size() > 1)) {
+      exit_code = judge_units(*options, units, *command);
+      return;
+    }
+    options->choice = units.only("check");
     const rtl::Design& design = options->choice.design();
     if (options->replay && design.kind == hls::triangle_kind)
       throw std::runtime_error(

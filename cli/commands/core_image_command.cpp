@@ -126,7 +126,7 @@ std::vector<Row> reads_of(const ImageCommand& command, const ref::IntScene& scen
     if (!command.caches.kib.empty())  // to the memory's model all blocks are nodes
       add_read_bytes(row, "bytes_a_ray",
                      ref::read_bytes(core, {}, {}, recording.batches, ref::TriangleLayout::corners,
-                                     command.caches.shapes()),
+                                     command.caches.shapes(ref::Replacement::by_age)),
                      command.caches);
     rows.push_back(std::move(row));
   }

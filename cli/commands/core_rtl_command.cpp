@@ -67,6 +67,7 @@ CLI::App* add_core_rtl_command(CLI::App& core, int& /*exit_code*/) {
   add_core_bits_option(*command, options->core.bits, rtl::to_string(rtl::Format(options->core.options.bits)));
   add_folder_option(*command, options->out, "Folder to write to; made if it is not there")->required();
   add_one_core_options(*command, options->core);
+  add_core_cache_options(*command, options->core);
   add_core_port_options(*command, options->core);
   add_core_bus_options(*command, options->core);
   add_library_option(*command, options->library);

@@ -18,6 +18,7 @@
 #include "cli/options/core_options.hpp"
 #include "cli/options/core_scene_options.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/edge_ray_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
@@ -51,9 +52,9 @@ struct TraceCommand {
   std::optional<std::string> bits;
   std::vector<int> rays_in_flight{128};
   RayListChoice rays;
+  EdgeRayChoice edges;
   CoreChoice core;
   std::string memory{"ideal"};
-  int cache_kib = 0;
   std::string library{rtl::default_library};
   bool native = false;
   std::uint64_t parts = 1;  ///< of the rays, each traced by a core that is empty
@@ -66,18 +67,6 @@ void check_parts(const TraceCommand& command, std::uint64_t most, std::string_vi
   if (command.parts > most)
     throw std::runtime_error(
         fmt::format("--parts {}: there are {} {}; allowed is 1 to {}", command.parts, most, of_what, most));
-}
-
-/// A line for each figure, since there are more of them than cores.
-std::vector<Row> turned(const std::vector<Row>& rows) {
-  std::vector<Row> lines;
-  for (const auto& [key, first] : rows.front().items()) {
-    if (key == "rays_in_flight") continue;
-    Row line{{"rays in flight", key}};
-    for (const Row& row : rows) line[row.at("rays_in_flight").dump()] = row.at(key);
-    lines.push_back(std::move(line));
-  }
-  return lines;
 }
 
 /// What a core answers a ray of a list, and the triangle that software finds.
@@ -98,10 +87,15 @@ CoreScene scene_of(const TraceCommand& command) {
 }
 
 sim::MemoryOptions memory_of(const TraceCommand& command) {
-  const rtl::CoreOptions& bus = command.core.options;
-  sim::MemoryOptions memory = sim::memory_behind(sim::memory_port(command.memory), bus.beats());
-  memory.in_order = bus.has_one_id();
-  memory.cache_kib = command.cache_kib;
+  sim::MemoryOptions memory = sim::memory_behind(sim::memory_port(command.memory), command.core.core());
+  if (!command.core.has_model()) return memory;
+  constexpr rtl::CoreOptions model;
+  const rtl::CoreOptions& core = command.core.options;
+  if (core.cache_line != model.cache_line || core.cache_ways != model.cache_ways)
+    throw std::runtime_error(fmt::format(
+        "--cache {}: a model with other lines or ways than {} bytes and {}; allowed is up to {} with these",
+        command.core.cache_kib, model.cache_line, model.cache_ways, rtl::CoreOptions::most_cache_kib));
+  memory.cache_kib = command.core.cache_kib;
   return memory;
 }
 
@@ -121,6 +115,11 @@ class Tracing {
           header.levels, header.levels, rtl::CoreOptions::most_levels));
     if (command.rays.given()) list_ = sim::read_ray_list(command.rays.file, traced_.scene->scene.to_cube);
     if (!list_.empty()) check_parts(command, list_.size(), "rays");
+    if (command.edges.given()) {
+      check_parts(command, command.edges.rays, "rays");
+      questions_ = {.count_alone = command.edges.count_alone,
+                    .closed = ref::closedness(traced_.scene->mesh).even()};
+    }
   }
 
   void make_cores() {
@@ -149,6 +148,10 @@ class Tracing {
     }
     return sim::picture_rays(traced_.scene, traced_.image, walking_, of_picture(part));
   }
+  /// Of a part, at edges and corners.
+  [[nodiscard]] std::vector<ref::Ray> edge_rays(host::Piece part) const {
+    return command_.edges.of_part(*traced_.scene, part);
+  }
   /// How the rays of a part are rendered.
   [[nodiscard]] ref::RenderOptions of_picture(host::Piece part) const {
     return {.width = command_.traced.scene.width,
@@ -162,6 +165,15 @@ class Tracing {
                                      const std::function<void(double)>& progress, const Keep& keep) const {
     return sim::trace_core(cores_[core], *machines_[core], traced_.image, rays, memory_, progress, keep);
   }
+
+  [[nodiscard]] sim::CoreTrace trace(std::size_t core, std::span<const ref::Ray> edge_rays,
+                                     const std::function<void(double)>& progress) const {
+    sim::QuestionOptions questions = questions_;
+    questions.progress = progress;
+    return sim::trace_core(cores_[core], *machines_[core], traced_.image, *traced_.scene, edge_rays, memory_,
+                           questions);
+  }
+  [[nodiscard]] bool is_closed() const { return questions_.closed; }
 
   /// Writes the T that the core gave, so that a wrong T shows.
   void write(AnswersFile& file, int rays_in_flight, const std::vector<CoreRayAnswer>& answers) const {
@@ -186,13 +198,14 @@ class Tracing {
   ref::CoreTracerOptions walking_;
   sim::MemoryOptions memory_;
   std::vector<sim::AskedRay> list_;
+  sim::QuestionOptions questions_;  ///< of rays at edges
   std::vector<rtl::Core> cores_;
   std::vector<std::unique_ptr<rtl::NativeMachine>> machines_;
 };
 
 /// Prints what the cores did in all their runs, and returns whether it was right.
 bool report(const std::vector<CoreRun>& runs, const Row& about, OutputFormat format) {
-  const bool cache = about.value("cache", false);
+  const bool cache = about.value("cache", false), edges = about.contains("closed");
   std::vector<sim::CoreTrace> cores;
   for (const CoreRun& run : runs) {
     if (run.core == cores.size())
@@ -204,12 +217,16 @@ bool report(const std::vector<CoreRun>& runs, const Row& about, OutputFormat for
   bool right = true;
   for (const sim::CoreTrace& trace : cores) {
     rows.push_back(format == OutputFormat::text ? Row::object() : about.at("mesh"));
-    rows.back().update(trace_row(trace, cache));
+    rows.back().update(edges ? edge_row(trace, about.at("closed"), format) : trace_row(trace, cache));
     right = right && trace.right();
   }
   fmt::print("{}", table_text(format == OutputFormat::text ? turned(rows) : rows, format));
-  if (format == OutputFormat::text)
+  if (format == OutputFormat::text) {
+    if (about.value("cache_is_model", false))
+      fmt::print("cache: a model in front of the core, which has at most {} KiB itself\n",
+                 rtl::CoreOptions::most_cache_kib);
     fmt::print("hierarchy: {}\nscene: {}\n", about.value("hierarchy", ""), summary_of(about.at("mesh")));
+  }
   return right;
 }
 
@@ -231,8 +248,10 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
   scene = tracing.traced().scene->scene.name;
   AnswersFile file(command.rays.answers, {"rays_in_flight"});
   about = {{"hierarchy", tracing.traced().hierarchy},
-           {"cache", command.cache_kib > 0},
+           {"cache", command.core.cache_kib > 0},
+           {"cache_is_model", command.core.has_model()},
            {"mesh", tracing.traced().mesh}};
+  if (command.edges.given()) about["closed"] = tracing.is_closed();
   const bool draws = !command.pieces.piece && !command.out.empty();
   if (draws) {
     host::make_folder(command.out);
@@ -247,13 +266,22 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
   std::vector<std::vector<CoreRayAnswer>> answers(cores);
   std::optional<std::uint64_t> part;
   std::optional<sim::PictureRays> rays;
+  std::vector<ref::Ray> edge_rays;
   for (std::uint64_t i = mine.first; i < mine.end; ++i) {
     const auto show = [&](double share) {
       progress->show((static_cast<double>(i - mine.first) + share) / static_cast<double>(mine.size()));
     };
     if (part != i / cores) {
       part = i / cores;
-      rays = tracing.rays({*part + 1, command.parts});
+      const host::Piece of_all{*part + 1, command.parts};
+      if (command.edges.given())
+        edge_rays = tracing.edge_rays(of_all);
+      else
+        rays = tracing.rays(of_all);
+    }
+    if (command.edges.given()) {
+      runs.push_back({i % cores, tracing.trace(i % cores, edge_rays, show)});
+      continue;
     }
     const auto keep = [&](std::span<const sim::CoreAnswer> given) {
       for (std::size_t ray = 0; file.wanted() && ray < given.size(); ++ray)
@@ -276,7 +304,7 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
 
 int trace_scene(TraceCommand command, const CLI::App& parsed) {
   command.traced.hierarchy.build.threads = command.traced.scene.threads;
-  if (!command.rays.given())
+  if (!command.rays.given() && !command.edges.given())
     check_parts(command,
                 ref::tile_count({.width = command.traced.scene.width, .height = command.traced.scene.height}),
                 "tiles");
@@ -315,12 +343,6 @@ CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
   CLI::App* const command = core.add_subcommand("trace", "Trace a scene by a core, cycle by cycle");
   const auto options = std::make_shared<TraceCommand>();
   const auto [scene, image] = add_core_scene_options(*command, options->traced);
-  const auto number = [&](const char* name, int& value, const char* text, int least, int most) {
-    command->add_option(name, value, fmt::format("{} ({} to {})", text, least, most))
-        ->capture_default_str()
-        ->transform(number_from(least, most))
-        ->type_name("N");
-  };
   command
       ->add_option("--bits", options->bits,
                    "Format of the integer world, n+gsS. With --image n is the image's, and the default n+1sn")
@@ -336,8 +358,7 @@ CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
   add_core_options(*command, options->core);
   add_memory_option(*command, options->memory);
   add_core_bus_options(*command, options->core);
-  number("--cache", options->cache_kib,
-         "KiB of a cache with 8 ways and lines of 64 bytes, a power of two; 0 is none", 0, 65'536);
+  add_core_cache_options(*command, options->core, 65'536);
   add_library_option(*command, options->library);
   command->add_flag("--native", options->native,
                     "The core as C++, which is the same in every cycle; else as Verilog");
@@ -350,14 +371,19 @@ CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
   add_pieces_options(*command, options->pieces, options->out, Output::folder,
                      "Folder for the picture that the answers make, SCENE.png; written when all are right");
   exclude_answers_of_pieces(*command);
+  add_edge_ray_options(*command, options->edges);
   needs_one_of(*command, {scene, image, command->get_option("--join")});
   add_examples(*command, {"hitpipe core trace --scene spheres --out out",
                           "hitpipe core trace --scene terrain --rays-in-flight 32,128 --native",
                           "hitpipe core trace --image spheres.bin --rays rays.csv --answers answers.csv"});
   command->callback([options, command, &exit_code] {
-    if (options->rays.given() && !options->out.empty() && !options->pieces.any())
-      throw CLI::ParseError("--rays excludes --out: the rays of a file make no picture",
+    const bool other_rays = options->rays.given() || options->edges.given();
+    if (other_rays && !options->out.empty() && !options->pieces.any())
+      throw CLI::ParseError(options->rays.given()
+                                ? "--rays excludes --out: the rays of a file make no picture"
+                                : "--edge-rays excludes --out: rays at edges make no picture",
                             CLI::ExitCodes::ExcludesError);
+    options->edges.check(*command, options->core.options.questions);
     exit_code = options->pieces.join.empty() ? trace_scene(*options, *command) : join(*options, *command);
   });
   return command;

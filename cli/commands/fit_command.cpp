@@ -45,6 +45,9 @@ struct FitCommand {
   std::uint64_t vectors = 1'000'000;
   std::string out;
   OutputFormat format = OutputFormat::text;
+
+  /// With a rate the area alone decides.
+  [[nodiscard]] bool least_area() const { return rate_boxes || rate_rays; }
 };
 
 /// A design and its format before the fit.
@@ -116,9 +119,26 @@ sim::SweepRow measured(const sim::FitResult& fitted, const sim::TriangleCost& tr
   return row;
 }
 
-/// With `rated`, also how often the unit takes a test.
+/// What the search for the least cost compared: the format before the fit, other starts, and its result. A cost
+/// is null if the unit is too slow for the rate or has too many extra box tests.
+void add_search(Row& row, const std::optional<sim::Precision>& precision, bool least_area) {
+  const bool searched = precision && !precision->starts.empty();
+  const auto cost_of = [](double cost) { return std::isfinite(cost) ? Row(cost) : Row(nullptr); };
+  Row starts = Row::array();
+  if (searched)
+    for (const auto& [format, cost] : precision->starts)
+      starts.push_back(rtl::to_string(format) +
+                       (std::isfinite(cost) ? fmt::format(" {:.4g}", cost) : " beyond a limit"));
+  const char* const measure = least_area ? "area in mm²" : "whole cost in mm² ms";
+  row.update({{"search_measure", searched ? Row(measure) : Row(nullptr)},
+              {"search_starts", starts},
+              {"search_cost_before", searched ? cost_of(precision->starts.front().cost) : Row(nullptr)},
+              {"search_cost", searched ? cost_of(precision->cost) : Row(nullptr)}});
+}
+
+/// Of units that need not take a test in each cycle, also how often this one does.
 Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const ref::Scene& scene,
-           const std::string& hierarchy, bool rated) {
+           const FitCommand& command) {
   const auto& [unit, vectors, result, rays_per_second, drawn] = fitted;
   Row left_out = Row::array();
   for (const sim::LeftOut& left : unit.left_out)
@@ -134,36 +154,37 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const ref
           {"endless_extra_box_tests_pct", unit.precision && unit.precision->endless_extra_box_tests_pct
                                               ? Row(*unit.precision->endless_extra_box_tests_pct)
                                               : Row(nullptr)},
-          {"formats_measured", unit.precision ? unit.precision->formats_measured : 0},
-          {"scene", scene.name},
-          {"hierarchy", hierarchy},
-          {"area_before_mm2", mm2(unit.price_before.area_um2)},
-          {"area_after_mm2", mm2(unit.price.area_um2)},
-          {"area_saved_pct", percent_of(unit.saved_um2(), unit.price_before.area_um2)},
-          {"stages_before", unit.price_before.stages},
-          {"stages", unit.price.stages},
-          {"area_delay_before_mm2_ns", area_delay(unit.price_before)},
-          {"area_delay_mm2_ns", area_delay(unit.price)},
-          {"bytes_per_node_before", sim::bytes_per_node(*unit.design, unit.before)},
-          {"bytes_per_node", sim::bytes_per_node(*unit.design, unit.format, sim::coarse_axes(unit))},
-          {"rays", result.rays_primary + result.rays_secondary + result.rays_shadow},
-          {"box_tests", result.unit.box_tests},
-          {"extra_box_tests_pct", result.extra_box_tests_pct()},
-          {"triangle_tests", counted.triangle_tests},
-          {"extra_triangle_tests_pct", counted.extra_triangle_tests_pct()},
-          {"bytes_per_ray", counted.bytes_per_ray()},
-          {"whole_run_time_ms", counted.whole_run_time_ms()},
-          {"whole_area_run_time_mm2_ms", counted.whole_area_run_time_mm2_ms()},
-          {"different_triangles", result.different_triangles},
-          {"false_misses", result.unit.false_misses ? Row(*result.unit.false_misses) : Row(nullptr)},
-          {"rtl_mismatches", result.unit.rtl_mismatches},
-          {"vectors", vectors.vectors},
-          {"vector_hits", vectors.hits},
-          {"vector_mismatches", vectors.mismatches},
-          {"demands", demands},
-          {"kept_whole", kept_whole(unit)},
-          {"left_out", left_out}};
-  if (rated)
+          {"formats_measured", unit.precision ? unit.precision->formats_measured : 0}};
+  add_search(row, unit.precision, command.least_area());
+  row.update({{"scene", scene.name},
+              {"hierarchy", command.hierarchy.name()},
+              {"area_before_mm2", mm2(unit.price_before.area_um2)},
+              {"area_after_mm2", mm2(unit.price.area_um2)},
+              {"area_saved_pct", percent_of(unit.saved_um2(), unit.price_before.area_um2)},
+              {"stages_before", unit.price_before.stages},
+              {"stages", unit.price.stages},
+              {"area_delay_before_mm2_ns", area_delay(unit.price_before)},
+              {"area_delay_mm2_ns", area_delay(unit.price)},
+              {"bytes_per_node_before", sim::bytes_per_node(*unit.design, unit.before)},
+              {"bytes_per_node", sim::bytes_per_node(*unit.design, unit.format, sim::coarse_axes(unit))},
+              {"rays", result.rays_primary + result.rays_secondary + result.rays_shadow},
+              {"box_tests", result.unit.box_tests},
+              {"extra_box_tests_pct", result.extra_box_tests_pct()},
+              {"triangle_tests", counted.triangle_tests},
+              {"extra_triangle_tests_pct", counted.extra_triangle_tests_pct()},
+              {"bytes_per_ray", counted.bytes_per_ray()},
+              {"whole_run_time_ms", counted.whole_run_time_ms()},
+              {"whole_area_run_time_mm2_ms", counted.whole_area_run_time_mm2_ms()},
+              {"different_triangles", result.different_triangles},
+              {"false_misses", result.unit.false_misses ? Row(*result.unit.false_misses) : Row(nullptr)},
+              {"rtl_mismatches", result.unit.rtl_mismatches},
+              {"vectors", vectors.vectors},
+              {"vector_hits", vectors.hits},
+              {"vector_mismatches", vectors.mismatches},
+              {"demands", demands},
+              {"kept_whole", kept_whole(unit)},
+              {"left_out", left_out}});
+  if (command.interval > 1 || command.least_area())
     row.update({{"ii", unit.price.interval},
                 {"boxes_per_second", unit.price.boxes_per_second()},
                 {"rays_per_second", std::floor(rays_per_second)}});
@@ -238,13 +259,12 @@ int fit(const FitCommand& command) {
   std::vector<FitReport> reports;
   std::vector<sim::SweepRow> counted;
   bool drawn = true;
-  const bool rated = command.interval > 1 || command.rate_boxes || command.rate_rays;
   for (const Wanted& wanted : designs) {
     const sim::FitResult fitted = sim::fit_to_scene(*wanted.design, wanted.before, scene, options, library);
     drawn = drawn && fitted.drawn;
     counted.push_back(measured(fitted, triangle, command.cost.tests_only));
-    reports.push_back({record(fitted, counted.back(), scene.scene, command.hierarchy.name(), rated),
-                       fitted.unit.left_out, cost_text(counted.back()), fitted.vectors.first_mismatch});
+    reports.push_back({record(fitted, counted.back(), scene.scene, command), fitted.unit.left_out,
+                       cost_text(counted.back()), fitted.vectors.first_mismatch});
   }
   steps.end();
   fmt::print("{}", reports_text(reports, counted, scene, command.hierarchy.text(), command.format));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/crossings.hpp"
 #include "cli/commands/rescale.hpp"
 #include "cli/options/cache_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
@@ -50,6 +51,7 @@ struct RenderCommand {
   RescaleChoice moves;
   std::vector<std::string> images;  ///< to compare
   bool compare = false;
+  CrossingsChoice crossings;
   double tolerance = 0.0;
   OutputFormat format = OutputFormat::text;
 
@@ -317,6 +319,7 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
             "the rays of a file make no picture");
   add_format_option(*command, options->format);
   add_rescale_options(*command, options->moves, {});
+  add_crossings_options(*command, options->crossings);
   as_input(command->add_option("image", options->images, "Two images of one size, for --compare"))
       ->type_name("FILE");
   CLI::Option* const compares =
@@ -335,18 +338,29 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
   exclude_all_but(*command, compares, {"image", "--tolerance", "--out", "--format"},
                   "two images are compared, and nothing is rendered");
   add_examples(*command, {"hitpipe render --scene spheres --out spheres.png",
-                          "hitpipe render --scene terrain --box-map boxes.png"});
+                          "hitpipe render --scene terrain --box-map boxes.png",
+                          "hitpipe render --scene spheres --crossings --out crossings.png",
+                          "hitpipe render --scene city --crossings --edge-rays 1000000"});
   command->callback([options, command, &exit_code] {
     const std::size_t images = options->compare ? 2 : 0;
     if (options->images.size() != images)
       throw std::runtime_error(fmt::format("render: {} images; --compare takes two", options->images.size()));
     if (!options->compare && options->scene.name.empty())
       throw std::runtime_error("--scene is required; see hitpipe render --help");
+    if (command->count("--seed") > 0 && options->crossings.edge_rays == 0)
+      throw std::runtime_error("--seed: needs --edge-rays");
     options->check_places();
     if (options->compare) {
       exit_code = compare_images(*options);
     } else if (options->moves.asked) {
       exit_code = rescale(options->scene, options->moves, nullptr, options->format);
+    } else if (options->crossings.asked) {
+      if (options->trace.world == World::floats && command->count("--world") > 0)
+        throw std::runtime_error(
+            "--crossings: not for --world float, which has no exact counts; leave it out");
+      exit_code = count_crossings(
+          {options->scene, options->hierarchy, options->trace.world_bits(), options->boxes, options->out},
+          options->crossings, options->format);
     } else if (options->rays.given()) {
       trace_rays(*options, *command);
     } else {

@@ -47,7 +47,8 @@ struct ReportCommand {
   std::vector<int> intervals;  ///< empty: a test in every cycle
   CostChoice cost;
   std::string rows;
-  std::uint64_t tests = 20'000;
+  std::uint64_t tests = 1'000'000;     ///< of each unit
+  std::uint64_t ratio_tests = 20'000;  ///< for each ratio of stiff rays; --tests sets both
   std::uint64_t seed = 1;
   std::string out;
   PictureForm plots = report_form;
@@ -213,14 +214,14 @@ int report(const ReportCommand& command, const CLI::App& options) {
   facts.stability = measure_stability(
       units, {.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
   facts.stiffness = measure_stiffness(
-      designs, {.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
+      designs, {.tests = command.ratio_tests, .seed = command.seed, .threads = command.scene.threads});
   facts.stiffness_command =
       fmt::format("hitpipe check --stiff {}--tests {} --seed {} --out FOLDER",
-                  named ? conservative_names(facts.stiffness) : "", command.tests, command.seed);
+                  named ? conservative_names(facts.stiffness) : "", command.ratio_tests, command.seed);
   if (!facts.stiffness.empty())
     facts.stiffness_diagram.emplace(Diagrammed{
         draw_picture("report", stiffness_picture(boxes_plot(facts.stiffness), command.plots), command.plots),
-        fmt::format("{} boxes for each ratio.", readable_number(std::to_string(command.tests)))});
+        fmt::format("{} boxes for each ratio.", readable_number(std::to_string(command.ratio_tests)))});
   progress.emplace("sweeping the integer world");
   facts.world = world_rows({.design = &rtl::find_design("int_triangle"),
                             .formats = usual_world_formats(),
@@ -344,16 +345,18 @@ CLI::App* add_report_command(CLI::App& program, int& exit_code) {
       ->capture_default_str()
       ->type_name("NAME");
   command->add_option("--image-bits", options->image.bits, "Its number format")->type_name("FORMAT");
-  add_large_count_option(
-      *command, "--tests", options->tests, 1, 1'000'000'000,
-      "Number of stability tests for each unit, and for each ratio of stiff rays (1 to 10^9)");
+  const CLI::Option* const tests =
+      add_large_count_option(*command, "--tests", options->tests, 1, 1'000'000'000,
+                             "Number of stability tests for each unit, and for each ratio of stiff rays, "
+                             "which without it has 20000 (1 to 10^9)");
   add_seed_option(*command, options->seed);
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
   add_plot_width_option(*command, options->plots);
   add_format_option(*command, options->format);
   add_examples(*command, {"hitpipe report --scene spheres --out report",
                           "hitpipe report int_slabs,int_major --scene terrain --out report"});
-  command->callback([options, command, &exit_code] {
+  command->callback([options, command, tests, &exit_code] {
+    if (tests->count() > 0) options->ratio_tests = options->tests;
     options->hierarchy.build.threads = options->scene.threads;
     exit_code = report(*options, *command);
   });

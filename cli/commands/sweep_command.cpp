@@ -28,6 +28,7 @@
 #include "cli/text/table.hpp"
 #include "cli/version.hpp"
 #include "host/files.hpp"
+#include "host/machine.hpp"
 #include "host/text.hpp"
 #include "sim/cosim/ray_unit.hpp"
 #include "sim/software.hpp"
@@ -194,6 +195,9 @@ Row notes_beside(const SweepCommand& command, const CutWork& work, const ref::Sc
   Row notes = notes_of(work.parsed);
   notes["hierarchy"] = command.hierarchy.text();
   notes.update(camera_notes(scene));
+  notes["processor"] = host::processor();
+  notes["compiler"] = host::compiler();
+  notes["date"] = host::today();
   if (command.pieces.piece) notes["piece"] = to_row(piece_note(work));
   return notes;
 }

@@ -14,9 +14,13 @@ namespace hitpipe::cli {
 
 namespace {
 
-Row row_of(const sim::TriangleCategoryResult& result, bool rtl) {
-  Row row{
-      {"category", result.category}, {"tests", result.tests}, {"hits", result.hits}, {"wrong", result.wrong}};
+Row row_of(const sim::TriangleCategoryResult& result, bool rtl, bool crossings) {
+  Row row{{"category", result.category}, {"tests", result.tests}, {"hits", result.hits}};
+  if (crossings) {
+    row["ties"] = result.ties;
+    row["counted"] = result.counted;
+  }
+  row["wrong"] = result.wrong;
   if (rtl) row["rtl_mismatches"] = result.rtl_mismatches;
   return row;
 }
@@ -39,8 +43,9 @@ TriangleFindings& TriangleFindings::operator+=(const TriangleFindings& later) {
   return *this;
 }
 
-std::vector<ref::IntCategory> triangle_categories(const std::vector<std::string>& names) {
-  const auto all = ref::int_categories();
+std::vector<ref::IntCategory> triangle_categories(const DesignChoice& choice,
+                                                  const std::vector<std::string>& names) {
+  const auto all = ref::int_categories(sim::make_triangle_test(choice.design(), choice.format())->world());
   return chosen_of(std::vector(all.begin(), all.end()), names);
 }
 
@@ -48,7 +53,7 @@ TriangleFindings check_triangle_unit(const TriangleCheck& command) {
   const rtl::Design& design = command.choice.design();
   const rtl::Format format = command.choice.format();
   sim::TriangleCheckOptions options;
-  options.categories = triangle_categories(command.categories);
+  options.categories = triangle_categories(command.choice, command.categories);
   options.tests = command.tests;
   options.seed = command.seed;
   options.piece = command.piece;
@@ -78,7 +83,7 @@ Row to_row(const TriangleFindings& findings) {
           {"categories", Row::array()}, {"first_wrong", findings.first_wrong},
           {"seconds", findings.seconds}};
   for (const sim::TriangleCategoryResult& result : findings.categories)
-    row["categories"].push_back(row_of(result, true));
+    row["categories"].push_back(row_of(result, true, true));
   return row;
 }
 
@@ -95,6 +100,8 @@ TriangleFindings parse_triangle_findings(const Row& row) {
     findings.categories.push_back({.category = each.at("category").get<std::string>(),
                                    .tests = each.at("tests").get<std::uint64_t>(),
                                    .hits = each.at("hits").get<std::uint64_t>(),
+                                   .ties = each.at("ties").get<std::uint64_t>(),
+                                   .counted = each.at("counted").get<std::uint64_t>(),
                                    .wrong = each.at("wrong").get<std::uint64_t>(),
                                    .rtl_mismatches = each.at("rtl_mismatches").get<std::uint64_t>(),
                                    .first_wrong = {}});
@@ -104,12 +111,14 @@ TriangleFindings parse_triangle_findings(const Row& row) {
 int report_findings(const TriangleFindings& findings, OutputFormat format) {
   std::vector<Row> rows;
   sim::TriangleCategoryResult sum;
+  const bool crossings =
+      findings.format.is<hls::WorldBits>() && findings.format.as<hls::WorldBits>().crossings != 0;
   for (const sim::TriangleCategoryResult& result : findings.categories) {
-    rows.push_back(row_of(result, findings.rtl));
+    rows.push_back(row_of(result, findings.rtl, crossings));
     sum += result;
   }
   sum.category = "all";
-  rows.push_back(row_of(sum, findings.rtl));
+  rows.push_back(row_of(sum, findings.rtl, crossings));
   if (format == OutputFormat::text)
     fmt::print("{} {}, seed {}\n", findings.design, rtl::to_string(findings.format), findings.seed);
   fmt::print("{}", table_text(rows, format));

@@ -38,8 +38,9 @@ struct TriangleFindings {
 
 [[nodiscard]] TriangleFindings check_triangle_unit(const TriangleCheck& command);
 
-/// The categories of these names. Throws what chosen_of() throws.
-[[nodiscard]] std::vector<ref::IntCategory> triangle_categories(const std::vector<std::string>& names);
+/// Those of the format with these names. Throws what chosen_of() throws.
+[[nodiscard]] std::vector<ref::IntCategory> triangle_categories(const DesignChoice& choice,
+                                                                const std::vector<std::string>& names);
 
 [[nodiscard]] Row to_row(const TriangleFindings& findings);
 

@@ -10,10 +10,13 @@
 
 namespace hitpipe::cli {
 
-std::vector<ref::CacheShape> CacheChoice::shapes() const {
+std::vector<ref::CacheShape> CacheChoice::shapes(ref::Replacement replacement) const {
   std::vector<ref::CacheShape> all;
   for (const int size : kib)
-    all.push_back({.bytes = static_cast<std::uint64_t>(size) << 10, .line_bytes = line_bytes, .ways = ways});
+    all.push_back({.bytes = static_cast<std::uint64_t>(size) << 10,
+                   .line_bytes = line_bytes,
+                   .ways = ways,
+                   .replacement = ways == 0 ? ref::Replacement::least_recent : replacement});
   return all;
 }
 

@@ -20,7 +20,9 @@ struct CacheChoice {
   std::uint32_t line_bytes = ref::CacheShape{}.line_bytes;
   std::uint32_t ways = ref::CacheShape{}.ways;
 
-  [[nodiscard]] std::vector<ref::CacheShape> shapes() const;
+  /// With all lines in one set the least recently used one makes room.
+  [[nodiscard]] std::vector<ref::CacheShape> shapes(
+      ref::Replacement replacement = ref::Replacement::least_recent) const;
 };
 
 /// Adds --cache, --cache-line and --cache-ways. Returns --cache.

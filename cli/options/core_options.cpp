@@ -15,6 +15,7 @@ namespace hitpipe::cli {
 rtl::CoreOptions CoreChoice::core() const {
   rtl::CoreOptions made = options;
   if (bits) made.bits = rtl::parse_bits<hls::RayBits>(*bits);
+  if (!has_model()) made.cache_kib = cache_kib;
   made.stack_bits = 0;
   while (1 << made.stack_bits < places) ++made.stack_bits;
   if (1 << made.stack_bits != places)
@@ -62,9 +63,19 @@ std::vector<CLI::Option*> add_core_options(CLI::App& command, CoreChoice& choice
   CLI::Option* const door = add_choice_option(
       command, "--door", choice.options.door, doors,
       "Rays come as integers of the unit int_ray, or as floats, and this unit is in the core");
+  CLI::Option* const rings = command.add_flag(
+      "--dma", choice.options.rings,
+      "The core reads rays from a ring in memory and writes answers to another, by a port of "
+      "its own; with --door float");
   CLI::Option* const weights = command.add_flag("--barycentrics", choice.options.weights,
                                                 "Answers say where in its triangle a ray hits");
-  return {stack, levels, interval, door, weights};
+  const Choices<bool> question_lists{{"nearest,any", false}, {"nearest,any,count,next", true}};
+  CLI::Option* const questions =
+      add_choice_option(command, "--questions", choice.options.questions, question_lists,
+                        "What a ray may ask: the nearest hit, any; the count of all crossings, the next one "
+                        "behind a place, so that all "
+                        "are met in order, each once");
+  return {stack, levels, interval, door, rings, weights, questions};
 }
 
 std::vector<CLI::Option*> add_one_core_options(CLI::App& command, CoreChoice& choice) {
@@ -84,6 +95,40 @@ std::vector<CLI::Option*> add_core_bus_options(CLI::App& command, CoreChoice& ch
           command.add_flag("--in-order", choice.options.in_order,
                            "All AXI requests have one identifier, so memory answers in their order; else "
                            "each ray has its own. A bus that has not 256 bits is always so")};
+}
+
+std::vector<CLI::Option*> add_core_cache_options(CLI::App& command, CoreChoice& choice, int most_kib) {
+  static constexpr int least = 2, most = rtl::CoreOptions::most_cache_kib;
+  CLI::Option* const cache =
+      command
+          .add_option(
+              "--cache", choice.cache_kib,
+              fmt::format("KiB of a cache in the core, a power of two from {} to {}; 0 is none{}", least,
+                          most,
+                          most_kib == most ? ""
+                                           : fmt::format(". A larger one, up to {}, is a model in front of "
+                                                         "memory, with 8 ways and lines of 64 bytes",
+                                                         most_kib)))
+          ->check(CLI::Validator(
+              [most_kib](std::string& text) {
+                const auto kib = host::number_in<int>(text);
+                const bool allowed =
+                    kib && (*kib == 0 || (*kib >= least && *kib <= most_kib && (*kib & (*kib - 1)) == 0));
+                return allowed ? std::string()
+                               : fmt::format("Value {} is not 0 or a power of two from {} to {}",
+                                             host::shortened(text), least, most_kib);
+              },
+              ""))
+          ->capture_default_str()
+          ->type_name("KIB");
+  const auto one_of = [&](const char* name, int& value, const char* what,
+                          std::initializer_list<int> allowed) {
+    Choices<int> choices;
+    for (const int each : allowed) choices.emplace_back(fmt::format("{}", each), each);
+    return add_choice_option(command, name, value, choices, what)->needs(cache);
+  };
+  return {cache, one_of("--cache-line", choice.options.cache_line, "Bytes of a line of the cache", {32, 64}),
+          one_of("--cache-ways", choice.options.cache_ways, "Lines of a set of the cache", {4, 8})};
 }
 
 void add_memory_option(CLI::App& command, std::string& memory) {

@@ -98,7 +98,10 @@ CLI::Option* add_pieces_options(CLI::App& command, PiecesChoice& choice, std::st
 }
 
 std::string whole_command(const CLI::App& parsed) {
-  std::vector<std::string> seeds{"--seed"};
+  std::vector<std::string> seeds;
+  // Where rays at edges alone are drawn at random, the seed is theirs.
+  const bool of_edges = parsed.get_option_no_throw("--edge-rays") != nullptr;
+  if (!of_edges || given(parsed, "--edge-rays")) seeds.emplace_back("--seed");
   if (!given(parsed, "--rays")) seeds.emplace_back("--light-seed");
   return command_line(
       parsed, {"--pieces", "--piece", "--join", "--out", "--format", "--threads", "--plot-width"}, seeds);

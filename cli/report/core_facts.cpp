@@ -16,6 +16,7 @@
 #include "cli/text/trace_text.hpp"
 #include "host/parallel.hpp"
 #include "rtl_gen/catalogue/format.hpp"
+#include "sim/core/memory_port.hpp"
 #include "sim/core/native_core.hpp"
 
 namespace hitpipe::cli {
@@ -31,6 +32,17 @@ constexpr std::array rays_of_rates{32, 128};
 constexpr std::array rays_of_busy{8, 16, 32, 64, 128, 192, 256};
 constexpr std::array latencies{20, 100, 200};
 constexpr std::array caches{0, 4, 16, 64};
+/// With the width of their bus, on which all requests have one identifier if it is not a block's.
+struct Memory {
+  const char* name;
+  int data_bits;
+};
+constexpr std::array memories{Memory{"dram", 256}, Memory{"litedram-128", 128}, Memory{"axi-256", 256}};
+int data_bits_of(const CoreSetting& setting) {
+  for (const Memory& memory : memories)
+    if (setting.memory == memory.name) return memory.data_bits;
+  return rtl::CoreOptions{}.data_bits;
+}
 
 std::string name_of(const hls::WorldBits& world) {
   return rtl::to_string(rtl::Format(world));
@@ -50,6 +62,9 @@ void add_settings(CoreFacts& facts) {
   for (const int latency : latencies)
     for (const int rays : rays_of_busy) add(facts.busy, {.rays = rays, .latency = latency});
   for (const int cache : caches) add(facts.cache, {.cache_kib = cache});
+  for (const Memory& memory : memories)
+    for (const int cache : caches)
+      add(facts.memories, {.rays = 32, .memory = memory.name, .cache_kib = cache});
 }
 
 /// The scene and its picture as a core gets them.
@@ -70,7 +85,7 @@ Traced traced_in_software(const ref::Scene& scene, const hls::WorldBits& world, 
   return {world, std::move(image), std::move(picture)};
 }
 
-/// Cores that differ in rays in flight alone, and the results that they are for.
+/// Cores that differ in rays in flight, cache and bus alone, and the results that they are for.
 struct Family {
   const Traced* traced;
   std::vector<rtl::CoreOptions> options;
@@ -89,6 +104,8 @@ std::vector<Family> families_of(const CoreFacts& facts, const std::vector<Traced
     options.bits = usual_ray_format(setting.world);
     options.triangle_interval = setting.triangle_interval;
     options.rays = setting.rays;
+    options.cache_kib = setting.cache_kib;
+    options.data_bits = data_bits_of(setting);
     auto family = std::find_if(families.begin(), families.end(), [&](const Family& each) {
       return name_of(each.traced->world) == name_of(setting.world) &&
              each.options.front().triangle_interval == setting.triangle_interval;
@@ -100,21 +117,32 @@ std::vector<Family> families_of(const CoreFacts& facts, const std::vector<Traced
       family = families.insert(families.end(), {&*of_world, {}, {}, {}});
     }
     sim::make_room(options, family->traced->image);
-    const auto same = std::find_if(family->options.begin(), family->options.end(),
-                                   [&](const rtl::CoreOptions& each) { return each.rays == options.rays; });
+    const auto same =
+        std::find_if(family->options.begin(), family->options.end(), [&](const rtl::CoreOptions& each) {
+          return each.rays == options.rays && each.cache_kib == options.cache_kib &&
+                 each.data_bits == options.data_bits;
+        });
     family->uses.push_back({i, static_cast<std::size_t>(same - family->options.begin())});
     if (same == family->options.end()) family->options.push_back(options);
   }
   return families;
 }
 
+/// As `core trace --memory` has it.
+std::string memory_text(const CoreSetting& setting) {
+  return setting.memory == "ideal" ? fmt::format("ideal,latency={}", setting.latency) : setting.memory;
+}
+
 std::string command_of(const CoreMeasurement& how, const CoreFacts& facts, const CoreSetting& setting,
                        const std::vector<int>& rays) {
   return fmt::format(
       "hitpipe core trace --native {} --width {} --height {} --bits {} --triangle-ii {} --rays-in-flight {} "
-      "--memory ideal,latency={}{}{} --format csv",
+      "--memory {}{}{}{} --format csv",
       how.scene_options, facts.width, facts.height, name_of(setting.world), setting.triangle_interval,
-      fmt::join(rays, ","), setting.latency,
+      fmt::join(rays, ","), memory_text(setting),
+      data_bits_of(setting) == rtl::CoreOptions{}.data_bits
+          ? ""
+          : fmt::format(" --data-bits {}", data_bits_of(setting)),
       setting.cache_kib == 0 ? "" : fmt::format(" --cache {}", setting.cache_kib), how.library_option);
 }
 
@@ -147,7 +175,8 @@ Row row_of(const CoreMeasurement& how, const CoreFacts& facts, const rtl::Core& 
   const bool cached = setting.cache_kib > 0;
   Row row{{"bits", rtl::to_string(rtl::Format(core.options.bits))},
           {"triangle_ii", setting.triangle_interval},
-          {"latency", setting.latency},
+          {"memory", setting.memory},
+          {"latency", setting.memory == "ideal" ? Row(setting.latency) : Row(nullptr)},
           {"cache_kib", setting.cache_kib}};
   row.update(trace_row(result.trace, cached));
   if (!cached) row["cache_hits_pct"] = nullptr;
@@ -168,7 +197,7 @@ Row row_of(const CoreMeasurement& how, const CoreFacts& facts, const rtl::Core& 
 
 bool operator==(const CoreSetting& a, const CoreSetting& b) {
   return name_of(a.world) == name_of(b.world) && a.triangle_interval == b.triangle_interval &&
-         a.rays == b.rays && a.latency == b.latency && a.cache_kib == b.cache_kib;
+         a.rays == b.rays && a.memory == b.memory && a.latency == b.latency && a.cache_kib == b.cache_kib;
 }
 
 std::uint64_t CoreFacts::wrong() const {
@@ -219,10 +248,9 @@ CoreFacts measure_core(const ref::Scene& scene, const CoreMeasurement& how) {
         CoreResult& result = facts.results[i];
         const auto& [of, core] = runs[i];
         sim::NativeCore machine(*core);
+        const sim::MemoryPort memory = sim::memory_port(memory_text(result.setting));
         result.trace = sim::trace_core(*core, machine, of->image, of->picture,
-                                       {.least_latency = result.setting.latency,
-                                        .most_latency = result.setting.latency,
-                                        .cache_kib = result.setting.cache_kib});
+                                       sim::memory_behind(memory, core->options));
       },
       how.progress);
   for (std::size_t i = 0; i < runs.size(); ++i)

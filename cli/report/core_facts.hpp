@@ -21,8 +21,9 @@ namespace hitpipe::cli {
 struct CoreSetting {
   hls::WorldBits world{};
   int triangle_interval = 4;
-  int rays = 128;     ///< in flight
-  int latency = 100;  ///< cycles
+  int rays = 128;                ///< in flight
+  std::string memory = "ideal";  ///< a built-in one of `core trace --memory`
+  int latency = 100;             ///< of `ideal`, in cycles
   int cache_kib = 0;
 
   /// Formats have no comparison of their own.
@@ -38,10 +39,10 @@ struct CoreResult {
 struct CoreFacts {
   std::string why_not;  ///< one line; empty where the core has traced
   int width = 0, height = 0;
-  std::vector<CoreResult> results;              ///< by setting, each once
-  std::vector<std::size_t> rates, busy, cache;  ///< places in `results` that a plot shows
-  std::vector<Row> rows;                        ///< of the results: setting, figures, price, command
-  std::vector<std::string> commands;            ///< that make the rows, with all rays in flight of a core
+  std::vector<CoreResult> results;                        ///< by setting, each once
+  std::vector<std::size_t> rates, busy, cache, memories;  ///< places in `results` that a plot shows
+  std::vector<Row> rows;              ///< of the results: setting, figures, price, command
+  std::vector<std::string> commands;  ///< that make the rows, with all rays in flight of a core
 
   /// Answers that are not software's, and results whose reads are not.
   [[nodiscard]] std::uint64_t wrong() const;

@@ -32,6 +32,31 @@ std::string& points_of(std::vector<PointLine>& lines, const std::string& title) 
   return line->points;
 }
 
+/// What a picture has for all of them, in their order.
+struct DrawnLines {
+  explicit DrawnLines(const std::vector<PointLine>& lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const DesignStyle style = design_style(i);
+      keys.push_back(lines[i].title);
+      blocks += data_block(fmt::format("line{}", i), lines[i].points);
+      plots += fmt::format("{} $line{} using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 title {}",
+                           i == 0 ? "plot" : ",", i, style.colour, style.shape, style.size,
+                           gnuplot_string(lines[i].title));
+    }
+  }
+  std::vector<std::string> keys;
+  std::string blocks, plots;
+};
+
+/// The sizes of caches, in KiB, at 0, 1, ...
+std::string cache_tics(const std::vector<int>& sizes) {
+  std::string tics;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    tics += fmt::format("{}'{}' {}", i == 0 ? "" : ", ",
+                        sizes[i] == 0 ? "none" : fmt::format("{} KiB", sizes[i]), i);
+  return tics;
+}
+
 Picture rate_plot(const std::string& scene, const CoreFacts& facts, const PictureForm& form) {
   const bool on_chip = facts.results.front().price.taken.luts > 0;
   std::vector<double> areas, rates;
@@ -80,34 +105,25 @@ Picture busy_plot(const std::string& scene, const CoreFacts& facts, const Pictur
     points_of(lines, fmt::format("latency of {} cycles", result.setting.latency)) +=
         fmt::format("{} {:.6g}\n", result.setting.rays, result.trace.port_busy_pct());
   }
-  std::vector<std::string> keys;
-  std::string blocks, plots;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const DesignStyle style = design_style(i);
-    keys.push_back(lines[i].title);
-    blocks += data_block(fmt::format("line{}", i), lines[i].points);
-    plots += fmt::format("{} $line{} using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 title {}",
-                         i == 0 ? "plot" : ",", i, style.colour, style.shape, style.size,
-                         gnuplot_string(lines[i].title));
-  }
-  const PlotFrame frame = plot_frame(form, "rays in flight", "cycles with a request, %", keys);
+  const DrawnLines drawn(lines);
+  const PlotFrame frame = plot_frame(form, "rays in flight", "cycles with a request, %", drawn.keys);
   return {"core_busy", scene + ": the memory port of a core and rays in flight", frame.picture_height,
           frame.settings +
               fmt::format("set logscale x 2\nset xrange [{}:{}]\nset yrange [0:101]\nset xtics ({})\n",
                           0.95 * *rays.begin(), 1.05 * *rays.rbegin(), fmt::join(rays, ",")) +
-              blocks,
-          plots + "\n"};
+              drawn.blocks,
+          drawn.plots + "\n"};
 }
 
 Picture cache_plot(const std::string& scene, const CoreFacts& facts, const PictureForm& form) {
-  std::string points, tics;
+  std::string points;
+  std::vector<int> sizes;
   double most = 0;
   for (std::size_t i = 0; i < facts.cache.size(); ++i) {
     const CoreResult& result = facts.results[facts.cache[i]];
-    const int kib = result.setting.cache_kib;
     const double bytes = result.trace.bytes_a_ray();
     most = std::max(most, bytes);
-    tics += fmt::format("{}'{}' {}", i == 0 ? "" : ", ", kib == 0 ? "none" : fmt::format("{} KiB", kib), i);
+    sizes.push_back(result.setting.cache_kib);
     points += fmt::format("{} {:.6g} {:.4g}\n", i, bytes, bytes);
   }
   const DesignStyle style = design_style(0);
@@ -115,11 +131,35 @@ Picture cache_plot(const std::string& scene, const CoreFacts& facts, const Pictu
   return {"core_cache", scene + ": what a cache saves", frame.picture_height,
           frame.settings +
               fmt::format("set xrange [-0.3:{}]\nset yrange [0:{:.6g}]\nset xtics ({})\n",
-                          static_cast<double>(facts.cache.size()) - 0.7, 1.1 * most, tics) +
+                          static_cast<double>(facts.cache.size()) - 0.7, 1.1 * most, cache_tics(sizes)) +
               data_block("cache", points),
           fmt::format("plot $cache using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 notitle, "
                       "$cache using 1:2:3 with labels offset 0,1 notitle\n",
                       style.colour, style.shape, style.size)};
+}
+
+/// A line for each memory, by cache.
+Picture memory_plot(const std::string& scene, const CoreFacts& facts, const PictureForm& form) {
+  std::vector<PointLine> lines;
+  std::vector<int> sizes;
+  double most = 0;
+  for (const std::size_t i : facts.memories) {
+    const CoreResult& result = facts.results[i];
+    const int kib = result.setting.cache_kib;
+    auto size = std::find(sizes.begin(), sizes.end(), kib);
+    if (size == sizes.end()) size = sizes.insert(sizes.end(), kib);
+    const double rate = rate_of(result);
+    most = std::max(most, rate);
+    points_of(lines, result.setting.memory) += fmt::format("{} {:.6g}\n", size - sizes.begin(), rate);
+  }
+  const DrawnLines drawn(lines);
+  const PlotFrame frame = plot_frame(form, "cache", "rays a second, millions", drawn.keys);
+  return {"core_memory", scene + ": rays a second of a core by cache and memory", frame.picture_height,
+          frame.settings +
+              fmt::format("set xrange [-0.3:{}]\nset yrange [0:{:.6g}]\nset xtics ({})\n",
+                          static_cast<double>(sizes.size()) - 0.7, 1.1 * most, cache_tics(sizes)) +
+              drawn.blocks,
+          drawn.plots + "\n"};
 }
 
 }  // namespace
@@ -145,7 +185,11 @@ std::vector<Diagrammed> draw_core(const std::string& scene, const CoreFacts& fac
        fmt::format("A core of {}, {} rays in flight. Lines of 64 bytes, 8 ways. In a larger picture more "
                    "rays share what they read. Column bytes_a_ray of "
                    "core.csv.",
-                   core, usual.rays)}};
+                   core, usual.rays)},
+      {draw_picture("report", memory_plot(scene, facts, form), form),
+       fmt::format("A core of {}, {} rays in flight, behind memories as they are: `hitpipe help core trace` "
+                   "says what each is. Column mrays_s of core.csv.",
+                   core, facts.results[facts.memories.front()].setting.rays)}};
 }
 
 }  // namespace hitpipe::cli

@@ -9,6 +9,7 @@
 #include "cli/report/occupancy_plot.hpp"
 #include "cli/report/plot.hpp"
 #include "cli/report/sweep_plot.hpp"
+#include "host/machine.hpp"
 #include "host/process.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "sim/check/check.hpp"
@@ -123,10 +124,17 @@ std::vector<Diagrammed> draw_diagrams(std::span<const sim::SweepRow> rows, const
   std::copy_if(usual.begin(), usual.end(), std::back_inserter(soonest),
                [&](const sim::SweepRow& row) { return row.interval == interval; });
   std::vector<Diagrammed> drawn;
-  for (const Diagram& diagram : diagrams(rows.front().on_chip()))
-    drawn.push_back({draw_picture("report", diagram_picture(scene, soonest, diagram, form), form),
+  for (const Diagram& diagram : diagrams(rows.front().on_chip())) {
+    // A design without a tracer of its own has no measured time.
+    std::vector<sim::SweepRow> known;
+    std::ranges::copy_if(soonest, std::back_inserter(known), [&](const sim::SweepRow& row) {
+      return !sim::sweep_column(diagram.cost).cell(row).empty();
+    });
+    if (known.empty()) continue;
+    drawn.push_back({draw_picture("report", diagram_picture(scene, known, diagram, form), form),
                      fmt::format("{} rays in flight. Columns {} and {} of rows.csv.", rays, diagram.cost,
                                  diagram.error)});
+  }
   if (const std::optional<Picture> picture = rate_picture(scene, usual, form))
     drawn.push_back(
         {draw_picture("report", *picture, form),
@@ -207,12 +215,8 @@ std::vector<Schematic> draw_schematics(std::span<const rtl::Design* const> desig
 }
 
 std::vector<std::pair<std::string, std::string>> versions() {
-#ifdef __clang__
-  const std::string compiler = __VERSION__;
-#else
-  const std::string compiler = "g++ " __VERSION__;
-#endif
-  return {{"Built by", compiler},
+  return {{"Measured on", fmt::format("{}, {}", host::processor(), host::today())},
+          {"Built by", host::compiler()},
           {"Verilator", version_of(host::program_of("VERILATOR", "verilator"))},
           {"Models compiled by", version_of(host::program_of("CXX", "c++"))},
           {"gnuplot", version_of({"gnuplot"})},

@@ -294,14 +294,13 @@ std::string report_html(const ReportFacts& facts) {
   page.heading("Error against cost");
   page.paragraph(
       "Up: extra tests, above the reference, which is conservative float slabs in software. Axes end "
-      "where the data does. Each mark has its formats beside it, as hitpipe list designs spells them, or the "
-      "name "
-      "of a design with one format. Formats of one design that cover one another share a label; where marks "
-      "of "
-      "different designs do, the lower mark is larger and labels name designs too. No unit lies below and "
-      "left of the dashed front. The first three diagrams count box tests alone, as the thesis does, the "
-      "next two "
-      "triangle tests too. The last one has the bytes that a ray reads from memory.");
+      "where the data does. Each mark has its formats beside it, as hitpipe list designs spells them, or "
+      "the name of a design with one format. Formats of one design that cover one another share a label. "
+      "Where marks of different designs do, the lower mark is larger and labels name designs too. No unit "
+      "lies below and left of the dashed front. The first four diagrams count box tests alone, as the "
+      "thesis does, the next two triangle tests too. A software time is the median of nine runs on the "
+      "machine that this page names, the exact triangle tests included. The last one has the bytes that a "
+      "ray reads from memory.");
   for (const Diagrammed& d : facts.diagrams) page.plot(d.picture, d.caption);
 
   page.heading("Images");

@@ -19,12 +19,15 @@ namespace {
 
 constexpr const char* extra_boxes = "extra box tests, % above conservative float slabs";
 constexpr const char* extra_triangles = "extra triangle tests, % above conservative float slabs";
-using Diagrams = std::array<Diagram, 6>;
+using Diagrams = std::array<Diagram, 7>;
 
 constexpr Diagrams diagrams_of(bool on_chip) {
   return {
       {{"error_run_time", "error and run time of box tests alone", "run_time_ms",
         "run time of the box tests, ms (cycles × clock period)", "extra_box_tests_pct", extra_boxes},
+       {"error_software_time", "error and measured run time in software", "software_s_per_mray",
+        "processor time of the traversal in software, s for a million rays", "extra_box_tests_pct",
+        extra_boxes},
        {"error_area", "error and area", on_chip ? "area_per_box_lut" : "area_per_box_mm2",
         on_chip ? "lookup tables for each box tested in a cycle" : "area for each box tested in a cycle, mm²",
         "extra_box_tests_pct", extra_boxes},

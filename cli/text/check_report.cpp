@@ -1,5 +1,6 @@
 #include "cli/text/check_report.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -92,6 +93,42 @@ std::string replay_command(const CheckFindings& findings, const Case& c) {
   return fmt::format("hitpipe check {}{} --replay \"{}\"", findings.design, bits, ref::adversary::to_text(c));
 }
 
+/// Prints the wrong answers on standard error, and returns the exit code.
+int verdict(const CheckFindings& findings, const sim::CategoryResult& sum) {
+  const rtl::Design& design = rtl::find_design(findings.design);
+  if (sum.false_miss) {
+    const std::unique_ptr<sim::BoxTest> test = sim::make_box_test(design, findings.format);
+    const Case simple =
+        ref::adversary::shrink(*sum.false_miss, [&](const Case& c) { return sim::is_false_miss(*test, c); });
+    fmt::print(stderr, "hitpipe: {} false misses; the first, simplified: {}\n", sum.false_misses,
+               replay_command(findings, simple));
+  }
+  if (sum.rtl_mismatches > 0) {
+    fmt::print(stderr, "hitpipe: {} {}: {} answers of the Verilog differ from the C++\n", findings.design,
+               rtl::to_string(findings.format), sum.rtl_mismatches);
+  }
+  return check_verdict(design, sum.false_misses, sum.rtl_mismatches);
+}
+
+std::string interval_text(const ref::GroupedRatio& share) {
+  const ref::Interval interval = share.share_interval();
+  const auto percent = [](double end) {
+    const bool tiny = end > 0 && end < 5e-5;
+    return tiny ? fmt::format("{:.0e}", 100 * end) : fmt::format("{:.2f}", 100 * end);
+  };
+  return percent(interval.low) + "-" + percent(interval.high);
+}
+
+/// Of 80 columns. `unit`: the design's name beside its first category, its bits beside the second.
+Row short_row(const std::string& unit, const sim::CategoryResult& r) {
+  return {{"design", unit},
+          {"category", r.category},
+          {"misses", r.false_misses},
+          {"95 % of met", interval_text(r.false_miss_share)},
+          {"hits %", 100 * r.false_hit_share.ratio()},
+          {"95 %", interval_text(r.false_hit_share)}};
+}
+
 }  // namespace
 
 CheckFindings& CheckFindings::operator+=(const CheckFindings& later) {
@@ -134,7 +171,6 @@ int check_verdict(const rtl::Design& design, std::uint64_t false_misses, std::ui
 }
 
 int report_findings(const CheckFindings& findings, OutputFormat format) {
-  const rtl::Design& design = rtl::find_design(findings.design);
   std::vector<Row> rows;
   sim::CategoryResult sum;
   sim::CategoryResult comparison_sum;
@@ -156,17 +192,52 @@ int report_findings(const CheckFindings& findings, OutputFormat format) {
     fmt::print("{}{}", share_text("false misses", "met", sum.false_miss_share),
                share_text("false hits", "missed", sum.false_hit_share));
   }
-  if (sum.false_miss) {
-    const std::unique_ptr<sim::BoxTest> test = sim::make_box_test(design, findings.format);
-    const Case simple =
-        ref::adversary::shrink(*sum.false_miss, [&](const Case& c) { return sim::is_false_miss(*test, c); });
-    fmt::print(stderr, "hitpipe: {} false misses; the first, simplified: {}\n", sum.false_misses,
-               replay_command(findings, simple));
+  return verdict(findings, sum);
+}
+
+UnitsFindings& UnitsFindings::operator+=(const UnitsFindings& later) {
+  for (std::size_t i = 0; i < units.size(); ++i) units[i] += later.units.at(i);
+  return *this;
+}
+
+Row to_row(const UnitsFindings& findings) {
+  Row units = Row::array();
+  for (const CheckFindings& unit : findings.units) units.push_back(to_row(unit));
+  return {{"units", units}};
+}
+
+UnitsFindings parse_units_findings(const Row& row) {
+  UnitsFindings findings;
+  for (const Row& unit : row.at("units")) findings.units.push_back(parse_findings(unit));
+  return findings;
+}
+
+int report_findings(const UnitsFindings& findings, OutputFormat format) {
+  std::vector<Row> rows;
+  std::vector<sim::CategoryResult> sums;
+  for (const CheckFindings& unit : findings.units) {
+    sim::CategoryResult& sum = sums.emplace_back();
+    std::vector<sim::CategoryResult> results = unit.categories;
+    for (const sim::CategoryResult& result : results) sum += result;
+    sum.category = "all";
+    if (format != OutputFormat::csv) results.push_back(sum);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const std::string beside = i == 0 ? unit.design : i == 1 ? rtl::to_string(unit.format) : "";
+      rows.push_back(format == OutputFormat::text ? short_row(beside, results[i])
+                                                  : row_of(unit, format, results[i], nullptr));
+    }
   }
-  if (sum.rtl_mismatches > 0) {
-    fmt::print(stderr, "hitpipe: {} answers of the Verilog differ from the C++\n", sum.rtl_mismatches);
-  }
-  return check_verdict(design, sum.false_misses, sum.rtl_mismatches);
+  fmt::print("{}", table_text(rows, format));
+  if (format == OutputFormat::text)
+    fmt::print(
+        "seed {}, {} tests of each unit\n"
+        "misses  false misses; the 95 % interval of their share of the boxes met, in %\n"
+        "hits %  false hits among the boxes missed; the 95 % interval of that share\n",
+        findings.units.front().seed, sums.front().tests);
+  int exit_code = 0;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    exit_code = std::max(exit_code, verdict(findings.units[i], sums[i]));
+  return exit_code;
 }
 
 }  // namespace hitpipe::cli

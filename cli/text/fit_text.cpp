@@ -63,6 +63,18 @@ std::string evidence_text(const ref::SceneDemands& demands, bool bounds) {
   return text;
 }
 
+/// The format before the fit, the search's other starts, and its result, with their costs.
+std::string search_text(const FitReport& report) {
+  const auto starts = report.row.at("search_starts").get<std::vector<std::string>>();
+  if (starts.empty()) return "";
+  const std::vector<std::string> others(starts.begin() + 1, starts.end());
+  return "  " + host::wrapped(fmt::format("compared by {}: before {}{}{}; result {} {:.4g}",
+                                          text_of(report.row, "search_measure"), starts.front(),
+                                          others.empty() ? "" : "; other starts ", fmt::join(others, ", "),
+                                          text_of(report.row, "bits"), number_of(report.row, "search_cost")),
+                              4, 2);
+}
+
 std::string design_text(const FitReport& report) {
   const Row& row = report.row;
   const std::string bits = text_of(row, "bits");
@@ -80,6 +92,7 @@ std::string design_text(const FitReport& report) {
     text += "  " + host::wrapped(fmt::format("ends of rays kept: {:.2f} % extra box tests without them",
                                              number_of(row, "endless_extra_box_tests_pct")),
                                  4, 2);
+  text += search_text(report);
   text += "  " + host::wrapped("whole cost " + report.cost, 4, 2);
   if (row.contains("ii"))
     text += "  " + host::wrapped(

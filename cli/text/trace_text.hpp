@@ -25,4 +25,10 @@ struct CoreRun {
 /// With a cache also the share of its hits.
 [[nodiscard]] Row trace_row(const sim::CoreTrace& trace, bool cache);
 
+/// Of rays at edges and corners. `closed`: the mesh is, so that odd counts are wrong.
+[[nodiscard]] Row edge_row(const sim::CoreTrace& trace, bool closed, OutputFormat format);
+
+/// A line for each figure, since there are more of them than cores.
+[[nodiscard]] std::vector<Row> turned(const std::vector<Row>& rows);
+
 }  // namespace hitpipe::cli

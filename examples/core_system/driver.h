@@ -1,5 +1,5 @@
-/* The driver of a core, in C: six calls, and one that reads a counter. Copy it to firmware with the
-   core's header, and supply the four functions of the platform. */
+/* The driver of a core, in C: six calls, or nine with rays in memory, and one that reads a counter. Copy it to firmware
+   with the core's header, and supply the four functions of the platform. */
 #ifndef DRIVER_H
 #define DRIVER_H
 
@@ -16,13 +16,18 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-/* The platform's. On a chip the first two are a store and a load, *(volatile uint32_t*)address. The others
-   are for the FIFO or DMA in front of s_axis_ray and that behind m_axis_hit; false: no room, or no answer
-   yet. */
+/* The platform's. On a chip the first two are a store and a load, *(volatile uint32_t*)address. */
 void bus_write(uint32_t address, uint32_t value);
 uint32_t bus_read(uint32_t address);
+#if CORE_HAS_RINGS
+/* Of memory as the core sees it. On a chip they copy bytes, and write back or forget what a cache of the processor has. */
+void memory_write(uint64_t address, const uint8_t* bytes, uint32_t count);
+void memory_read(uint64_t address, uint8_t* bytes, uint32_t count);
+#else
+/* Of the FIFO in front of s_axis_ray and of that behind m_axis_hit; false: no room, or no answer yet. */
 bool fifo_send(uint32_t tag, const uint8_t* bytes);
 bool fifo_take(uint32_t* tag, uint8_t* bytes);
+#endif
 #ifdef __cplusplus
 }
 #endif
@@ -66,6 +71,89 @@ static inline bool core_stop(void) {
   return false;
 }
 
+#if CORE_HAS_RINGS
+
+/* Rays in memory, and their answers: two rings. The first two are addresses. The others count rays and answers of all;
+   counts go round at 2^32. */
+struct core_rings {
+  uint64_t rays, answers;
+  uint32_t places; /* of each ring */
+  uint32_t sent, offered, known, taken;
+};
+
+static inline bool core_has_place(uint64_t address, uint64_t bytes) {
+  const uint64_t end = address + bytes - 1;
+  return address % CORE_RING_LINE_BYTES == 0 && end >= address &&
+         (CORE_ADDRESS_BITS == 64 || end >> (CORE_ADDRESS_BITS % 64) == 0);
+}
+
+/* Says where the rings are, while the core has no ray: `places` rays of CORE_RAY_BYTES, and as many answers of
+   CORE_HIT_BYTES. Otherwise it changes nothing, and returns why. */
+static inline const char* core_start_rings(struct core_rings* rings, uint64_t rays, uint64_t answers,
+                                           uint32_t places) {
+  if (!(core_read(CORE_REG_STATUS) & CORE_IDLE)) return "the core has rays";
+  if (places < 4 || places > 32768 || (places & (places - 1)) != 0)
+    return "the places of a ring are not a power of two from 4 to 32768";
+  if (!core_has_place(rays, (uint64_t)places * CORE_RAY_BYTES) ||
+      !core_has_place(answers, (uint64_t)places * CORE_HIT_BYTES))
+    return "a ring does not begin at a multiple of 128, or ends above the core's last address";
+  core_write(CORE_REG_RAYS_LOW, (uint32_t)rays);
+  core_write(CORE_REG_RAYS_HIGH, (uint32_t)(rays >> 32));
+  core_write(CORE_REG_ANSWERS_LOW, (uint32_t)answers);
+  core_write(CORE_REG_ANSWERS_HIGH, (uint32_t)(answers >> 32));
+  core_write(CORE_REG_RING_LAST, places - 1);
+  rings->rays = rays;
+  rings->answers = answers;
+  rings->places = places;
+  rings->sent = rings->offered = core_read(CORE_REG_OFFERED);
+  rings->known = rings->taken = core_read(CORE_REG_ANSWERED);
+  return NULL;
+}
+
+/* Writes a ray to memory. The core begins it after core_offer(). false: there is no room, so take answers first. The
+   answer has the same tag, a number of CORE_TAG_BITS bits. */
+static inline bool core_send(struct core_rings* rings, uint32_t tag, const struct core_ray* ray) {
+  uint8_t bytes[CORE_RAY_BYTES];
+  if (rings->sent - rings->taken == rings->places) return false;
+  core_pack_ray(bytes, ray);
+  core_put_tag(bytes, tag);
+  memory_write(rings->rays + (uint64_t)(rings->sent % rings->places) * CORE_RAY_BYTES, bytes, CORE_RAY_BYTES);
+  ++rings->sent;
+  return true;
+}
+
+/* Tells the core of all rays that were sent. */
+static inline void core_offer(struct core_rings* rings) {
+  if (rings->offered == rings->sent) return;
+  rings->offered = rings->sent;
+  core_write(CORE_REG_OFFERED, rings->offered & 0xffff);
+}
+
+/* Answers that are in memory and were not taken. */
+static inline uint32_t core_answers(struct core_rings* rings) {
+  rings->known += (core_read(CORE_REG_ANSWERED) - rings->known) & 0xffff;
+  return rings->known - rings->taken;
+}
+
+/* The pin irq is 1 as soon as so many more answers are in memory than were taken; 0: never. */
+static inline void core_interrupt_at(const struct core_rings* rings, uint32_t answers) {
+  core_write(CORE_REG_INTERRUPT, answers == 0 ? 0 : ((rings->taken + answers) & 0xffff) | 0x10000);
+}
+
+/* false: no answer yet. Answers come in any order. */
+static inline bool core_take(struct core_rings* rings, uint32_t* tag, struct core_hit* hit) {
+  uint8_t bytes[CORE_HIT_BYTES];
+  if (rings->known == rings->taken && core_answers(rings) == 0) return false;
+  memory_read(rings->answers + (uint64_t)(rings->taken % rings->places) * CORE_HIT_BYTES, bytes,
+              CORE_HIT_BYTES);
+  ++rings->taken;
+  *tag = core_get_tag(bytes);
+  core_unpack_hit(hit, bytes);
+  return true;
+}
+
+#else
+
 /* false: try again later. The answer has the same tag, a number of CORE_TAG_BITS bits. */
 static inline bool core_send(uint32_t tag, const struct core_ray* ray) {
   uint8_t bytes[CORE_RAY_BYTES];
@@ -80,6 +168,8 @@ static inline bool core_take(uint32_t* tag, struct core_hit* hit) {
   core_unpack_hit(hit, bytes);
   return true;
 }
+
+#endif
 
 /* A counter has two words. If the high one has changed meanwhile, the low one may be of either side. */
 static inline uint64_t core_count(uint32_t reg) {

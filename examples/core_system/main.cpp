@@ -11,6 +11,9 @@
 #include "driver.h"
 
 uint32_t place_image(const char* file_name);  // the system puts the file into memory, and says where
+#if CORE_HAS_RINGS
+uint32_t place_rings(uint32_t bytes);  // so much memory behind the image
+#endif
 
 constexpr int width = 160, height = 120, pixels = width * height;  // a pixel's number is its ray's tag
 static_assert(pixels <= 1 << CORE_TAG_BITS);
@@ -41,39 +44,68 @@ int main(int count, char** arguments) {
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
   core_image image;
   const char* refused = core_read_image(&image, reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
-  if (!refused) refused = core_start(place_image(arguments[1]), &image);
+  const uint32_t place = place_image(arguments[1]);
+#if CORE_HAS_RINGS
+  constexpr uint32_t places = 32'768;
+  const uint32_t answers_place = place_rings(places * (CORE_HIT_BYTES + CORE_RAY_BYTES));
+  core_rings rings;
+  if (!refused)
+    refused = core_start_rings(&rings, answers_place + places * CORE_HIT_BYTES, answers_place, places);
+#endif
   if (refused) return std::fprintf(stderr, "%s: %s\n", arguments[1], refused), 1;
 
   std::vector<uint8_t> picture(pixels), answers(pixels);
   uint64_t failed = 0, hits = 0;
-  int sent = 0, taken = 0;
+  int taken = 0;
+  const auto ray_of = [&](int pixel) {
+    const Line line = camera_line(pixel);
+    core_ray ray;
+    core_make_mesh_ray(&ray, &image, line.origin, line.direction, INFINITY);
+    return ray;
+  };
+  const auto take = [&](uint32_t pixel, const core_hit& hit) {
+    ++taken, ++answers.at(pixel);
+    if (hit.failed && failed++ == 0) std::fprintf(stderr, "pixel %u: %s\n", pixel, core_why(&hit));
+    if (hit.failed || hit.number == CORE_NO_HIT) return;
+    ++hits;
+    const double distance = core_mesh_distance(&hit, &image, camera_line(static_cast<int>(pixel)).direction);
+    picture[pixel] =
+        static_cast<uint8_t>(std::min(255.0, 10'000 / distance / distance));  // a lamp at the eye
+  };
+#if CORE_HAS_RINGS
+  // All rays are in memory before the first begins.
+  for (int pixel = 0; pixel < pixels; ++pixel) {
+    const core_ray ray = ray_of(pixel);
+    core_send(&rings, static_cast<uint32_t>(pixel), &ray);
+  }
+  refused = core_start(place, &image);
+  if (refused) return std::fprintf(stderr, "%s: %s\n", arguments[1], refused), 1;
+  core_offer(&rings);
+  for (int polls = 0; core_answers(&rings) < pixels && polls < 1'000'000;) ++polls;
+  const uint64_t cycles = core_count(CORE_COUNT_CYCLES);
+  uint32_t pixel;
+  for (core_hit hit; core_take(&rings, &pixel, &hit);) take(pixel, hit);
+#else
+  refused = core_start(place, &image);
+  if (refused) return std::fprintf(stderr, "%s: %s\n", arguments[1], refused), 1;
+  int sent = 0;
   for (int silent = 0; taken < pixels && silent < 100'000; ++silent) {
     if (sent < pixels) {
-      const Line line = camera_line(sent);
-      core_ray ray;
-      core_make_mesh_ray(&ray, &image, line.origin, line.direction, INFINITY);
+      const core_ray ray = ray_of(sent);
       if (core_send(static_cast<uint32_t>(sent), &ray)) ++sent;
     }
     uint32_t pixel;
-    core_hit hit;
-    while (core_take(&pixel, &hit)) {
-      silent = 0, ++taken, ++answers.at(pixel);
-      if (hit.failed && failed++ == 0) std::fprintf(stderr, "pixel %u: %s\n", pixel, core_why(&hit));
-      if (hit.failed || hit.number == CORE_NO_HIT) continue;
-      ++hits;
-      const double distance =
-          core_mesh_distance(&hit, &image, camera_line(static_cast<int>(pixel)).direction);
-      picture[pixel] =
-          static_cast<uint8_t>(std::min(255.0, 10'000 / distance / distance));  // a lamp at the eye
-    }
+    for (core_hit hit; core_take(&pixel, &hit); silent = 0) take(pixel, hit);
   }
+  const uint64_t cycles = core_count(CORE_COUNT_CYCLES);
+#endif
 
   std::ofstream(arguments[2], std::ios::binary) << "P5 " << width << " " << height << " 255\n"
                                                 << std::string(picture.begin(), picture.end());
   const uint64_t rays = core_count(CORE_COUNT_RAYS), answered = core_count(CORE_COUNT_ANSWERS);
   std::printf("%" PRIu64 " rays, %" PRIu64 " answers, %" PRIu64 " hits, %" PRIu64 " failed\n", rays, answered,
               core_count(CORE_COUNT_HITS), failed);
-  std::printf("%" PRIu64 " cycles, %" PRIu64 " blocks read\n", core_count(CORE_COUNT_CYCLES),
+  std::printf("%" PRIu64 " cycles, %" PRIu64 " blocks read\n", cycles,
               core_count(CORE_COUNT_RECORDS) + core_count(CORE_COUNT_TRIANGLES));
   // Every ray has one answer, and the core has counted what came.
   const bool once = std::all_of(answers.begin(), answers.end(), [](uint8_t n) { return n == 1; });

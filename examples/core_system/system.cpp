@@ -1,5 +1,4 @@
-// In place of a chip: the core as Verilator compiles it, a bus, two FIFOs, and a memory with a fixed latency.
-#include <array>
+// In place of a chip: the core as Verilator compiles it, a bus, and a memory with a fixed latency.
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -10,12 +9,18 @@
 
 #include "Vcore_axi.h"
 #include "driver.h"
+#if CORE_HAS_RINGS
+#include "ring_port.hpp"
+#else
+#include "fifos.hpp"
+#endif
 
 namespace {
 
 class System {
  public:
   std::vector<std::uint8_t> memory;
+  RayPort rays;
 
   System() {
     top_.aresetn = 0;
@@ -41,67 +46,42 @@ class System {
     tick();
     return value;
   }
-  bool send(std::uint32_t tag, const std::uint8_t* bytes) {
-    tick();
-    if (rays_.size() == places) return false;
-    std::memcpy(rays_.emplace_back(tag).bytes.data(), bytes, CORE_RAY_BYTES);
-    return true;
-  }
-  bool take(std::uint32_t* tag, std::uint8_t* bytes) {
-    tick();
-    if (hits_.empty()) return false;
-    *tag = hits_.front().tag;
-    std::memcpy(bytes, hits_.front().bytes.data(), CORE_HIT_BYTES);
-    hits_.pop_front();
-    return true;
-  }
-
- private:
-  static constexpr std::size_t places = 16;  // of a FIFO
-  static constexpr std::uint64_t latency = 40;
-  template <std::size_t count>
-  struct Beat {
-    std::uint32_t tag;
-    std::array<std::uint8_t, count> bytes{};
-  };
-  struct Read {
-    std::uint64_t due, address;
-    std::uint32_t id;
-  };
-  // Verilator keeps a port in words of the computer, the lowest first, so its bytes can be copied.
-  static_assert(std::endian::native == std::endian::little);
-  static_assert(sizeof(Vcore_axi::m_axi_rdata) == CORE_BLOCK_BYTES);  // a block is a beat
-
   // One clock cycle. Before its edge: what each side offers. At the edge both see what the other has taken.
   void tick() {
     top_.m_axi_arready = 1;
     top_.m_axi_rvalid = !reads_.empty() && reads_.front().due <= cycle_;
     if (top_.m_axi_rvalid) {
-      top_.m_axi_rid = reads_.front().id, top_.m_axi_rlast = 1;
-      std::memcpy(&top_.m_axi_rdata, &memory.at(reads_.front().address), CORE_BLOCK_BYTES);
+      const Read& read = reads_.front();
+      top_.m_axi_rid = read.id, top_.m_axi_rlast = read.beats == 1;
+      std::memcpy(&top_.m_axi_rdata, &memory.at(read.address), CORE_BEAT_BYTES);
     }
-    top_.s_axis_ray_tvalid = !rays_.empty();
-    if (top_.s_axis_ray_tvalid) {
-      top_.s_axis_ray_tid = rays_.front().tag;
-      std::memcpy(&top_.s_axis_ray_tdata, rays_.front().bytes.data(), CORE_RAY_BYTES);
-    }
-    top_.m_axis_hit_tready = hits_.size() < places;
+    rays.show(top_, memory, cycle_);
     top_.aclk = 0, top_.eval();
     if (top_.aresetn) {
-      if (top_.m_axi_rvalid) reads_.pop_front();  // rready is always 1
-      if (top_.m_axi_arvalid) reads_.push_back({cycle_ + latency, top_.m_axi_araddr, top_.m_axi_arid});
-      if (top_.s_axis_ray_tvalid && top_.s_axis_ray_tready) rays_.pop_front();
-      if (top_.m_axis_hit_tvalid && top_.m_axis_hit_tready)
-        std::memcpy(hits_.emplace_back(top_.m_axis_hit_tid).bytes.data(), &top_.m_axis_hit_tdata,
-                    CORE_HIT_BYTES);
+      if (top_.m_axi_rvalid && top_.m_axi_rready) {
+        reads_.front().address += CORE_BEAT_BYTES;
+        if (--reads_.front().beats == 0) reads_.pop_front();
+      }
+      if (top_.m_axi_arvalid)
+        reads_.push_back({cycle_ + latency, top_.m_axi_araddr, top_.m_axi_arid, top_.m_axi_arlen + 1U});
+      rays.step(top_, memory, cycle_);
     }
     top_.aclk = 1, top_.eval();
     ++cycle_;
   }
 
+ private:
+  static constexpr std::uint64_t latency = 40;
+  struct Read {
+    std::uint64_t due, address;
+    std::uint32_t id, beats;  // that are to come
+  };
+  // Verilator keeps a port in words of the computer, the lowest first, so its bytes can be copied.
+  static_assert(std::endian::native == std::endian::little);
+  static_assert(sizeof(Vcore_axi::m_axi_rdata) == CORE_BEAT_BYTES);
+  static_assert(CORE_BEAT_BYTES <= CORE_BURST_BYTES);
+
   Vcore_axi top_;
-  std::deque<Beat<CORE_RAY_BYTES>> rays_;
-  std::deque<Beat<CORE_HIT_BYTES>> hits_;
   std::deque<Read> reads_;
   std::uint64_t cycle_ = 0;
 };
@@ -118,13 +98,31 @@ uint32_t bus_read(uint32_t address) {
   return chip.read(address - CORE_REGISTERS);
 }
 
+#if CORE_HAS_RINGS
+void memory_write(uint64_t address, const uint8_t* bytes, uint32_t count) {
+  std::memcpy(&chip.memory.at(address), bytes, count);
+}
+
+void memory_read(uint64_t address, uint8_t* bytes, uint32_t count) {
+  std::memcpy(bytes, &chip.memory.at(address), count);
+}
+
+uint32_t place_rings(uint32_t bytes) {
+  const auto place = (static_cast<uint32_t>(chip.memory.size()) + 127) / 128 * 128;
+  chip.memory.resize(place + bytes);
+  return place;
+}
+#else
 bool fifo_send(uint32_t tag, const uint8_t* bytes) {
-  return chip.send(tag, bytes);
+  chip.tick();
+  return chip.rays.send(tag, bytes);
 }
 
 bool fifo_take(uint32_t* tag, uint8_t* bytes) {
-  return chip.take(tag, bytes);
+  chip.tick();
+  return chip.rays.take(tag, bytes);
 }
+#endif
 
 // An image may be anywhere in memory, at a multiple of 64.
 uint32_t place_image(const char* file_name) {

@@ -9,6 +9,7 @@ from litex.gen import LiteXModule
 from litex.soc.integration.soc import SoCRegion
 from litex.soc.interconnect import axi, stream
 from litex.soc.interconnect.csr import CSR, CSRStatus, CSRStorage
+from litex.soc.interconnect.csr_eventmanager import EventManager, EventSourceLevel
 
 
 class HitpipeCore(LiteXModule):
@@ -16,6 +17,11 @@ class HitpipeCore(LiteXModule):
 
     registers   AXI4-Lite, 32 bits: for soc.bus.add_slave()
     memory      AXI4, reads only, as wide as the core: for soc.bus.add_master() or a port of LiteDRAM
+
+    A core with --dma reads its rays from memory and writes the answers there. It has no FIFOs and no CSRs of its own:
+
+    rings       AXI4, another master, of 64 or 128 bits
+    ev          an event: so many answers are in memory as the register says
 
     CSRs        ray_0, ray_1, ...  a ray as core_pack_ray() of the core's header makes it, a word each, the lowest first
                 ray_tag            its tag
@@ -39,12 +45,53 @@ class HitpipeCore(LiteXModule):
         for source in (manifest["module"] + ".v", core_axi["verilog"]):
             platform.add_source(str(rtl / source))
 
-        tag_bits = manifest["tag_bits"]
-        ray_bits = core_axi["s_axis_ray"]["tdata_bits"]
-        hit_bits = core_axi["m_axis_hit"]["tdata_bits"]
         self.registers = registers = axi.AXILiteInterface(data_width=32, address_width=32)
         self.memory = memory = axi.AXIInterface(data_width=core_axi["data_bits"], address_width=32, mode="r")
 
+        ports = self.add_rings(core_axi["ring_bits"]) if manifest["rings"] else self.add_fifos(manifest, fifo_depth)
+        self.specials += Instance(core_axi["module"],
+            i_aclk    = ClockSignal("sys"),
+            i_aresetn = ~ResetSignal("sys"),
+            # Registers.
+            i_s_axi_awvalid = registers.aw.valid,
+            o_s_axi_awready = registers.aw.ready,
+            i_s_axi_awaddr  = registers.aw.addr[:8],
+            i_s_axi_wvalid  = registers.w.valid,
+            o_s_axi_wready  = registers.w.ready,
+            i_s_axi_wdata   = registers.w.data,
+            i_s_axi_wstrb   = registers.w.strb,
+            o_s_axi_bvalid  = registers.b.valid,
+            i_s_axi_bready  = registers.b.ready,
+            o_s_axi_bresp   = registers.b.resp,
+            i_s_axi_arvalid = registers.ar.valid,
+            o_s_axi_arready = registers.ar.ready,
+            i_s_axi_araddr  = registers.ar.addr[:8],
+            o_s_axi_rvalid  = registers.r.valid,
+            i_s_axi_rready  = registers.r.ready,
+            o_s_axi_rdata   = registers.r.data,
+            o_s_axi_rresp   = registers.r.resp,
+            # Memory.
+            o_m_axi_arvalid = memory.ar.valid,
+            i_m_axi_arready = memory.ar.ready,
+            o_m_axi_araddr  = memory.ar.addr,
+            o_m_axi_arlen   = memory.ar.len,
+            o_m_axi_arsize  = memory.ar.size,
+            o_m_axi_arburst = memory.ar.burst,
+            o_m_axi_arcache = memory.ar.cache,
+            o_m_axi_arprot  = memory.ar.prot,
+            i_m_axi_rvalid  = memory.r.valid,
+            o_m_axi_rready  = memory.r.ready,
+            i_m_axi_rdata   = memory.r.data,
+            i_m_axi_rresp   = memory.r.resp,
+            i_m_axi_rlast   = memory.r.last,
+            **ports,
+        )
+
+    def add_fifos(self, manifest, fifo_depth):
+        """FIFOs with CSRs. Returns what the core's streams are joined to."""
+        tag_bits = manifest["tag_bits"]
+        ray_bits = manifest["axi"]["s_axis_ray"]["tdata_bits"]
+        hit_bits = manifest["axi"]["m_axis_hit"]["tdata_bits"]
         # FIFOs, so that software need not come in every cycle.
         self.rays = rays = stream.SyncFIFO([("data", ray_bits), ("tag", tag_bits)], fifo_depth)
         self.hits = hits = stream.SyncFIFO([("data", hit_bits), ("tag", tag_bits)], fifo_depth)
@@ -70,29 +117,7 @@ class HitpipeCore(LiteXModule):
             hits.source.ready.eq(self.hit_take.re),
             self.hit_take.w.eq(hits.source.valid),
         ]
-
-        self.specials += Instance(core_axi["module"],
-            i_aclk    = ClockSignal("sys"),
-            i_aresetn = ~ResetSignal("sys"),
-            # Registers.
-            i_s_axi_awvalid = registers.aw.valid,
-            o_s_axi_awready = registers.aw.ready,
-            i_s_axi_awaddr  = registers.aw.addr[:8],
-            i_s_axi_wvalid  = registers.w.valid,
-            o_s_axi_wready  = registers.w.ready,
-            i_s_axi_wdata   = registers.w.data,
-            i_s_axi_wstrb   = registers.w.strb,
-            o_s_axi_bvalid  = registers.b.valid,
-            i_s_axi_bready  = registers.b.ready,
-            o_s_axi_bresp   = registers.b.resp,
-            i_s_axi_arvalid = registers.ar.valid,
-            o_s_axi_arready = registers.ar.ready,
-            i_s_axi_araddr  = registers.ar.addr[:8],
-            o_s_axi_rvalid  = registers.r.valid,
-            i_s_axi_rready  = registers.r.ready,
-            o_s_axi_rdata   = registers.r.data,
-            o_s_axi_rresp   = registers.r.resp,
-            # Rays and answers.
+        return dict(
             i_s_axis_ray_tvalid = rays.source.valid,
             o_s_axis_ray_tready = rays.source.ready,
             i_s_axis_ray_tdata  = rays.source.data,
@@ -101,31 +126,41 @@ class HitpipeCore(LiteXModule):
             i_m_axis_hit_tready = hits.sink.ready,
             o_m_axis_hit_tdata  = hits.sink.data,
             o_m_axis_hit_tid    = hits.sink.tag,
-            # Memory.
-            o_m_axi_arvalid = memory.ar.valid,
-            i_m_axi_arready = memory.ar.ready,
-            o_m_axi_araddr  = memory.ar.addr,
-            o_m_axi_arlen   = memory.ar.len,
-            o_m_axi_arsize  = memory.ar.size,
-            o_m_axi_arburst = memory.ar.burst,
-            o_m_axi_arcache = memory.ar.cache,
-            o_m_axi_arprot  = memory.ar.prot,
-            i_m_axi_rvalid  = memory.r.valid,
-            o_m_axi_rready  = memory.r.ready,
-            i_m_axi_rdata   = memory.r.data,
-            i_m_axi_rresp   = memory.r.resp,
-            i_m_axi_rlast   = memory.r.last,
         )
 
+    def add_rings(self, ring_bits):
+        """The port to rays and answers in memory. Returns what the core's port is joined to."""
+        self.rings = rings = axi.AXIInterface(data_width=ring_bits, address_width=32, mode="rw")
+        self.ev = EventManager()
+        self.ev.answers = EventSourceLevel()
+        self.ev.finalize()
+        ports = dict(o_irq=self.ev.answers.trigger)
+        fields = ["addr", "len", "size", "burst", "cache", "prot"]
+        for channel, names, from_core in (("ar", fields, True), ("r", ["data", "resp", "last"], False), ("aw", fields, True),
+                                          ("w", ["data", "strb", "last"], True), ("b", ["resp"], False)):
+            signals = getattr(rings, channel)
+            given, taken = ("o", "i") if from_core else ("i", "o")
+            ports[f"{given}_m_axi_ring_{channel}valid"] = signals.valid
+            ports[f"{taken}_m_axi_ring_{channel}ready"] = signals.ready
+            for name in names:
+                ports[f"{given}_m_axi_ring_{channel}{name}"] = getattr(signals, name)
+        return ports
+
     def add_to(self, soc, name="core", origin=0x8000_0000):
-        """Gives the registers a region, and the core its own port of LiteDRAM if the SoC has one, else the bus."""
+        """Gives the registers a region, and the core its own ports of LiteDRAM if the SoC has one, else the bus."""
         soc.bus.add_slave(name, self.registers, SoCRegion(origin=origin, size=0x100, cached=False))
-        if not hasattr(soc, "sdram"):
-            soc.bus.add_master(name, self.memory)
-            return
-        from litedram.frontend.axi import LiteDRAMAXI2Native
-        self.port = LiteDRAMAXI2Native(
-            axi          = self.memory,
-            port         = soc.sdram.crossbar.get_port(mode="read", data_width=self.memory.data_width),
-            base_address = soc.bus.regions["main_ram"].origin,
-        )
+        masters = [("", "read", self.memory)]
+        if hasattr(self, "rings"):
+            masters.append(("_rings", "both", self.rings))
+            if soc.irq.enabled:
+                soc.irq.add(name)
+        for suffix, mode, master in masters:
+            if not hasattr(soc, "sdram"):
+                soc.bus.add_master(name + suffix, master)
+                continue
+            from litedram.frontend.axi import LiteDRAMAXI2Native
+            setattr(self, "port" + suffix, LiteDRAMAXI2Native(
+                axi          = master,
+                port         = soc.sdram.crossbar.get_port(mode=mode, data_width=master.data_width),
+                base_address = soc.bus.regions["main_ram"].origin,
+            ))

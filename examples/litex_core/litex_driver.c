@@ -1,6 +1,7 @@
 /* What driver.h wants of the platform, in a LiteX SoC: firmware takes this file, the core's header and driver.h. The
    CSRs are those of hitpipe_core.py, and the SoC calls the module `core`. */
 #include <generated/csr.h>
+#include <system.h>
 
 #include "driver.h"
 
@@ -12,6 +13,20 @@ uint32_t bus_read(uint32_t address) {
   return (uint32_t)csr_read_simple(address);
 }
 
+#if CORE_HAS_RINGS
+/* In words: records begin at multiples of 4. What a processor writes goes through its cache to memory. */
+void memory_write(uint64_t address, const uint8_t* bytes, uint32_t count) {
+  for (uint32_t i = 0; i < count; i += 4)
+    csr_write_simple((uint32_t)core_get(bytes + i, 4), (uint32_t)address + i);
+  flush_l2_cache();
+}
+
+void memory_read(uint64_t address, uint8_t* bytes, uint32_t count) {
+  flush_cpu_dcache();
+  flush_l2_cache();
+  for (uint32_t i = 0; i < count; i += 4) core_put(bytes + i, 4, csr_read_simple((uint32_t)address + i));
+}
+#else
 static int bytes_of_word(int first, int bytes) {
   return bytes - first < 4 ? bytes - first : 4;
 }
@@ -33,3 +48,4 @@ bool fifo_take(uint32_t* tag, uint8_t* bytes) {
   core_hit_take_write(1);
   return true;
 }
+#endif

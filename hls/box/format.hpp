@@ -1,4 +1,4 @@
-// What a family of number formats says about itself. A family is a struct of ints, at most six, with
+// What a family of number formats says about itself. A family is a struct of ints, at most eight, with
 //   fields      how a user writes each of the ints
 //   condition   what must hold between them, in words; this and all below may be missing
 //   valid()     the condition as a function

@@ -95,6 +95,13 @@ enum class Meaning {
   mantissa_high,  ///< upper bound of a slope's reciprocal
   exponent,       ///< power of two that belongs to both bounds
   length,         ///< of the ray
+  // Of a hit of a triangle, with a meaning only if HIT is 1.
+  tie,   ///< 1: at an edge or a corner
+  once,  ///< 1: it counts as a crossing
+  side,  ///< 1: the determinant is negative
+  // Of a triangle test, whatever its HIT: a bit for each edge.
+  zero,   ///< 1: the edge meets the ray
+  inner,  ///< 1: the ray passes the edge on the inner side; nothing if it meets it
 };
 
 /// A result port.

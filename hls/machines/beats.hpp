@@ -29,10 +29,6 @@ struct BeatBits {
   constexpr bool halves() const { return data == 512; }
   /// The identifier, and above it the half.
   constexpr int asker() const { return halves() ? id() + 1 : id(); }
-  template <int Word>
-  constexpr bool has() const {
-    return Word < words();
-  }
   constexpr bool valid() const { return (data & (data - 1)) == 0; }
   friend constexpr bool operator==(const BeatBits&, const BeatBits&) = default;
 };
@@ -42,19 +38,7 @@ namespace beats {
 using namespace channels;
 
 constexpr DataIf<"request_upper", 1, &BeatBits::halves> request_upper;  // the block is in the upper half
-constexpr Data<"beat_valid"> beat_valid;  // a beat; it is taken if `beat_ready` is 1
-constexpr Data<"beat_error"> beat_error;  // it could not be read, and so its block was not
-constexpr Data<"beat_0", 64> beat_0;
-constexpr DataIf<"beat_1", 64, &BeatBits::has<1>> beat_1;
-constexpr DataIf<"beat_2", 64, &BeatBits::has<2>> beat_2;
-constexpr DataIf<"beat_3", 64, &BeatBits::has<3>> beat_3;
-constexpr DataIf<"beat_4", 64, &BeatBits::has<4>> beat_4;
-constexpr DataIf<"beat_5", 64, &BeatBits::has<5>> beat_5;
-constexpr DataIf<"beat_6", 64, &BeatBits::has<6>> beat_6;
-constexpr DataIf<"beat_7", 64, &BeatBits::has<7>> beat_7;
-
-constexpr Data<"beat_ready"> beat_ready;
-using Queue = IdQueue<>;  // who asked
+using Queue = IdQueue<>;                                                // who asked
 constexpr ControlIf<"count", &BeatBits::count, &BeatBits::several>
     count;                             // beats of the oldest block that have come
 constexpr Control<"there_1"> there_1;  // a whole block
@@ -67,9 +51,8 @@ struct Beats {
   static constexpr const char* summary = "makes blocks of a memory bus's beats, which come in order";
   using Bits = BeatBits;
   using BuiltIn = FormatList<Fixed<BeatBits{64, 5}>>;
-  struct In : List<request_valid, request_ready, request_id, request_upper, beat_valid, beat_error, beat_0,
-                   beat_1, beat_2, beat_3, beat_4, beat_5, beat_6, beat_7> {};
-  struct Out : Join<List<beat_ready>, BlockRead> {};
+  struct In : Join<List<request_valid, request_ready, request_id, request_upper>, Beat> {};
+  struct Out : Join<Beat::Back, BlockRead> {};
   struct State : Join<Queue::State, List<count, there_1>, Held<WholeBlock>> {};
   struct Memory : List<askers> {};
 

@@ -7,18 +7,23 @@
 #include "hls/box/format.hpp"
 #include "hls/machines/channels.hpp"
 #include "hls/machines/memory.hpp"
+#include "hls/num/levels.hpp"
 
 namespace hitpipe::hls {
 
-/// The format "tTcCdDiI", for example t20c1d20i5.
+/// The format "tTcCdDiI", for example t20c1d20i5, or "tTcCdDiIqQ".
 struct BestBits {
   int distance = 20;  ///< T: bits of a distance
   int dropped = 1;    ///< C: low bits of it that a box distance has not
   int box = 20;       ///< D: bits of a box distance, at least T - C
   int ray = 5;        ///< I: bits of a ray's number
+  int questions = 0;  ///< Q: rays may want crossings
 
-  static constexpr FormatField fields[] = {
-      {"t", "T", 4, 36}, {"c", "C", 0, 11}, {"d", "D", 4, 36, "36"}, {"i", "I", 1, 8}};
+  static constexpr FormatField fields[] = {{"t", "T", 4, 36},
+                                           {"c", "C", 0, 11},
+                                           {"d", "D", 4, 36, "36"},
+                                           {"i", "I", 1, 8},
+                                           {"q", "Q", 1, 1, nullptr, true}};
   static constexpr const char* condition = "D at least T-C, and C less than T";
 
   constexpr int rays() const { return power_of_two(ray); }
@@ -46,17 +51,24 @@ constexpr Block<"kinds", &BestBits::rays, 1> kinds;                         // 1
 constexpr BlockOf<"divided_bests", &BestBits::rays, Best> divided_bests;
 constexpr BlockOf<"leaf_bests", &BestBits::rays, Best> leaf_bests;
 constexpr BlockOf<"answer_bests", &BestBits::rays, Best> answer_bests;
+// Of rays that want crossings. What one has counted is in place of its best hit: the sum of sides as T, in two's
+// complement, and the crossings as the number. Its length, in leaf_bests, stays.
+constexpr DataIf<"hit_back_1", 1, has_questions> hit_back_1;
+struct Question : List<counts, turned> {};
+struct From : List<from_t, from_number> {};
+constexpr BlockOfIf<"questions", &BestBits::rays, Question, has_questions> questions;
+constexpr BlockOfIf<"froms", &BestBits::rays, From, has_questions> froms;
 
 struct BestHits {
   static constexpr const char* name = "best_hits";
   static constexpr const char* summary = "the best hit of each ray, from its beginning to its answer";
   using Bits = BestBits;
   using BuiltIn = FormatList<Fixed<BestBits{20, 1, 20, 5}>, Fixed<BestBits{20, 1, 20, 7}>>;
-  struct In : Join<NewRay, Starts::Back, TriangleRead, Divides, LeafDone, Ended> {};
-  struct Out : Join<NewRay::Back, Starts, Divides::Back, Divided, Returns, Answers> {};
+  struct In : Join<NewRay, Starts::Back, TriangleRead, Divides, Compares, LeafDone, Ended> {};
+  struct Out : Join<NewRay::Back, Starts, Divides::Back, Compares::Back, Divided, Returns, Answers> {};
   struct State : Join<List<begins_1>, Held<New>, List<divided_1, held<closer>, divider_1, held<t>, leaf_1>,
-                      Held<Leaf>, List<answers_1>, Held<End>> {};
-  struct Memory : List<numbers, kinds, divided_bests, leaf_bests, answer_bests> {};
+                      Held<Leaf>, List<answers_1>, Held<End>, List<hit_back_1>> {};
+  struct Memory : List<numbers, kinds, divided_bests, leaf_bests, answer_bests, questions, froms> {};
 
   template <class D>
   static constexpr void outputs(const auto& f, const auto& now, const auto& memory, const auto& out) {
@@ -74,6 +86,11 @@ struct BestHits {
     out[asked_number] = memory[numbers].word();
     out[best] = compared[best];
     out[best_number] = compared[best_number];
+    if (has_questions(BestBits(f))) {
+      out[asked_counts] = memory[questions].word()[counts];
+      out[asked_from_t] = memory[froms].word()[from_t];
+      out[asked_from_number] = memory[froms].word()[from_number];
+    }
     out[divided] = now[divided_1];
     out[divided_ray] = now[divider_1];
     out[divided_stops] = now[held<closer>] & typename D::bit(memory[kinds].word());
@@ -90,7 +107,7 @@ struct BestHits {
   }
 
   template <class D>
-  static constexpr void step(const auto& /*f*/, const auto& now, const auto& in, const auto& memory,
+  static constexpr void step(const auto& f, const auto& now, const auto& in, const auto& memory,
                              const auto& next) {
     using Bit = typename D::bit;
     const Bit new_one = as("begins_ray", in[new_ray] & may_begin(now));
@@ -101,9 +118,30 @@ struct BestHits {
     const auto tested = memory[numbers].word();
     const auto word =
         as("best_written", select(new_one, cat(in[length], no_triangle), cat(now[held<t>], tested)));
-    memory[divided_bests].write(writes, place, word);
-    memory[leaf_bests].write(writes, place, word);
-    memory[answer_bests].write(writes, place, word);
+    const bool has_counts = has_questions(BestBits(f));
+    const auto found = change_if(has_counts, word, [&](const auto& best_one) {
+      const auto question = memory[questions].word();
+      const auto so_far = memory[divided_bests].word();
+      const Bit down = as("side_is_down", ~(now[hit_back_1] ^ Bit(question[turned])));
+      const auto t_bits = width_of(in[length]);
+      const auto side = cat(spread(down, t_bits - 1_w), D::lit(1, 1_w));
+      const auto tally = cat(plus(so_far[best], side), plus(so_far[best_number], D::lit(1, 1_w)));
+      const Bit counts_more = as("counts_more", ~new_one & Bit(question[counts]));
+      return as("found", select(counts_more, tally, only(Bit(~(new_one & in[counts])), best_one)));
+    });
+    memory[divided_bests].write(writes, place, found);
+    memory[answer_bests].write(writes, place, found);
+    if (has_counts) {
+      const auto question = memory[questions].word();
+      memory[leaf_bests].write(Bit(new_one | (improves & ~Bit(question[counts]))), place, word);
+      memory[questions].write(new_one, in[begun], in[counts], in[turned]);
+      memory[froms].write(new_one, in[begun], in[from_t], in[from_number]);
+      memory[questions].ask(in[asked]);
+      memory[froms].ask(in[asked]);
+      next[hit_back_1] = in[hit_back];
+    } else {
+      memory[leaf_bests].write(writes, place, word);
+    }
     memory[kinds].write(new_one, in[begun], in[any_hit]);
     memory[numbers].write(in[reads], in[read_ray], in[number]);
     memory[divided_bests].ask(in[asked]);

@@ -30,12 +30,25 @@ inline constexpr auto box_bits = [](const auto& format) {
 };
 inline constexpr auto address_bits = [](const auto& format) { return format.address; };
 
+/// The core answers the questions count and next too (docs/integer_world.md, Exactly once).
+inline constexpr auto has_questions = [](const auto& format) {
+  if constexpr (requires { format.crossings; })
+    return format.crossings == 3;
+  else
+    return format.questions != 0;
+};
+
 // A new ray, as the unit int_ray makes it (hls/world/ray_operands.hpp).
 constexpr Data<"ray_valid"> ray_valid;  // this and `ray_ready` are 1: the ray begins
 constexpr Data<"ray_ready"> ray_ready;
 inline constexpr auto tag_bits = [](const auto& format) { return format.tag; };
 constexpr Data<"ray_tag", tag_bits> ray_tag;
-constexpr Data<"ray_any"> ray_any;      // it wants any hit, else the nearest
+constexpr Data<"ray_any"> ray_any;  // it wants any hit, else the nearest
+// With `ray_any`: 0 and 0 the nearest hit, 0 and 1 any hit, 1 and 0 the next crossing, 1 and 1 their count.
+constexpr DataIf<"ray_once", 1, has_questions> ray_once;
+// The next crossing is the first that is not before this T and number.
+constexpr DataIf<"ray_from_t", distance_bits, has_questions> ray_from_t;
+constexpr DataIf<"ray_from_number", triangle_number_bits, has_questions> ray_from_number;
 constexpr Data<"ray_error"> ray_error;  // it is no ray
 constexpr Data<"ray_major_y"> ray_major_y;
 constexpr Data<"ray_major_z"> ray_major_z;
@@ -71,8 +84,13 @@ constexpr Data<"new_ray"> new_ray;
 constexpr Data<"begun", ray_bits> begun;
 constexpr Data<"length", distance_bits> length;
 constexpr Data<"any"> any_hit;
+constexpr DataIf<"counts", 1, has_questions> counts;  // it wants the number of its crossings
+constexpr DataIf<"turned", 1, has_questions> turned;  // det of a test has the sign of a crossing's side
+// A hit of the next crossing is not before this place. The T of one that is counted is not above it.
+constexpr DataIf<"from_t", distance_bits, has_questions> from_t;
+constexpr DataIf<"from_number", triangle_number_bits, has_questions> from_number;
 constexpr Data<"takes"> takes;
-struct NewRay : List<new_ray, begun, length, any_hit> {
+struct NewRay : List<new_ray, begun, length, any_hit, counts, turned, from_t, from_number> {
   using Back = List<takes>;
 };
 
@@ -106,6 +124,7 @@ constexpr Data<"asked_block", address_bits> asked_block;
 constexpr Data<"asker", ray_bits> asker;
 constexpr Data<"triangle"> triangle;  // it is one; else a record
 constexpr Data<"granted"> granted;
+constexpr Data<"asks_triangle"> asks_triangle;  // `triangle` as a port of the core
 struct Asks : List<asks, asked_block, asker, triangle> {
   using Back = List<granted>;
 };
@@ -117,6 +136,8 @@ inline constexpr auto byte_bits = [](const auto& format) {
   else
     return format.bytes;
 };
+/// Of a block's place in memory.
+inline constexpr auto block_place_bits = [](const auto& format) { return format.bytes - 5; };
 constexpr Data<"request_valid"> request_valid;
 constexpr Data<"request_address", byte_bits> request_address;  // a multiple of 32
 constexpr Data<"request_id", ray_count_bits> request_id;
@@ -136,6 +157,24 @@ constexpr Data<"read_word_3", 64> read_word_3;
 constexpr Data<"read_error"> read_error;  // it could not be read, and the words mean nothing
 struct BlockWords : List<read_word_0, read_word_1, read_word_2, read_word_3, read_error> {};
 struct BlockRead : Join<List<read_valid, read_id>, BlockWords> {};
+
+// A beat of a memory bus, of 64 to 512 bits. It is taken if both `beat_valid` and `beat_ready` are 1.
+template <int Word>
+inline constexpr auto beat_has = [](const auto& format) { return Word < format.data / 64; };
+constexpr Data<"beat_valid"> beat_valid;
+constexpr Data<"beat_ready"> beat_ready;
+constexpr Data<"beat_error"> beat_error;  // it could not be read, and the words mean nothing
+constexpr Data<"beat_0", 64> beat_0;
+constexpr DataIf<"beat_1", 64, beat_has<1>> beat_1;
+constexpr DataIf<"beat_2", 64, beat_has<2>> beat_2;
+constexpr DataIf<"beat_3", 64, beat_has<3>> beat_3;
+constexpr DataIf<"beat_4", 64, beat_has<4>> beat_4;
+constexpr DataIf<"beat_5", 64, beat_has<5>> beat_5;
+constexpr DataIf<"beat_6", 64, beat_has<6>> beat_6;
+constexpr DataIf<"beat_7", 64, beat_has<7>> beat_7;
+struct Beat : List<beat_valid, beat_error, beat_0, beat_1, beat_2, beat_3, beat_4, beat_5, beat_6, beat_7> {
+  using Back = List<beat_ready>;
+};
 
 /// Who gets the block.
 constexpr auto reader_of(const auto& in) {
@@ -182,11 +221,33 @@ constexpr Data<"count_1", child_count_bits> count_1;
 constexpr Data<"flaw", lost_bits> flaw;  // a Lost: the ray is lost by this record
 struct Children : List<block, count_0, count_1, flaw> {};
 
+// Which test of a triangle it is. A tie of a ray with crossings is settled by tests of the same triangle with the
+// origin moved, and then tested again as the ray is.
+enum Test : std::uint8_t { first_test, moved_along_a, moved_along_b, last_test };
+constexpr int test_bits = 2;
+constexpr DataIf<"test_is", test_bits, has_questions> test_is;
+constexpr DataIf<"test_once", 1, has_questions> test_once;  // the ray wants crossings
+constexpr DataIf<"test_down", 1, has_questions> test_down;  // the origin was moved down
+struct Testing : List<test_is, test_once, test_down> {};
+
 // From a unit, or a machine in its place: the test of a ray has ended, with HIT or without.
 constexpr Data<"tested"> tested;
 constexpr Data<"tester", ray_bits> tester;
 constexpr Data<"hit"> hit;
 struct Tested : List<tested, hit, tester> {};
+constexpr DataIf<"again", 1, has_questions> again;  // its triangle is to be tested again, and this was no hit
+
+// From ties to the reader and the divider: the same, once ties are settled.
+constexpr Data<"settled"> settled;
+constexpr Data<"settled_hit"> settled_hit;
+constexpr Data<"settler", ray_bits> settler;
+constexpr Data<"settled_again"> settled_again;
+struct Settled : List<settled, settled_hit, settler, settled_again> {};
+// And to triangle_feed: the ray's next test is this one.
+constexpr DataIf<"retests", 1, has_questions> retests;
+constexpr DataIf<"retest_ray", ray_bits, has_questions> retest_ray;
+constexpr DataIf<"retest_is", test_bits, has_questions> retest_is;
+struct Retests : List<retests, retest_ray, retest_is> {};
 
 /// A number with a sign has two ports: the high half has the sign, and the low half may have a bit less.
 template <auto Bits>
@@ -224,6 +285,15 @@ constexpr Data<"best", distance_bits> best;
 constexpr Data<"best_number", triangle_number_bits> best_number;
 struct Divides : List<asked, done, t, closer> {
   using Back = List<asked_number, best, best_number>;
+};
+
+// And for questions, det of the hit is negative; back come what the ray wants.
+constexpr DataIf<"hit_back", 1, has_questions> hit_back;
+constexpr DataIf<"asked_counts", 1, has_questions> asked_counts;
+constexpr DataIf<"asked_from_t", distance_bits, has_questions> asked_from_t;
+constexpr DataIf<"asked_from_number", triangle_number_bits, has_questions> asked_from_number;
+struct Compares : List<hit_back> {
+  using Back = List<asked_counts, asked_from_t, asked_from_number>;
 };
 
 // From best_hits to the reader: a hit has been compared.
@@ -286,5 +356,34 @@ constexpr Data<"last", address_bits> last;                 // the image's last b
 constexpr Data<"most_steps", step_count_bits> most_steps;  // records that a walk may test
 constexpr Data<"most_rays", ray_count_bits> most_rays;     // in flight, 1 or more
 struct Settings : List<base, last, most_steps, most_rays> {};
+// And to a core with a cache. These may change at any time.
+constexpr int line_count_bits = 6;
+constexpr Data<"most_lines", line_count_bits> most_lines;  // on their way, 1 or more
+constexpr Data<"empties_cache"> empties_cache;             // 1 in a cycle: what it holds is forgotten
+constexpr Data<"lets_asks"> lets_asks;                     // 0: rays do not ask for blocks any more
+struct CacheSettings : List<most_lines, empties_cache, lets_asks> {};
+
+// And to a core that reads its rays from memory.
+constexpr int ring_count_bits = 16;
+inline constexpr auto ring_base_bits = [](const auto& format) { return format.bytes - 7; };
+constexpr Data<"rays_at", ring_base_bits> rays_at;        // the address of the ring of rays, divided by 128
+constexpr Data<"answers_at", ring_base_bits> answers_at;  // that of the ring of answers
+constexpr Data<"ring_last", ring_count_bits>
+    ring_last;  // places of each ring, less 1; they are 2^k, 4 or more
+constexpr Data<"rays_offered", ring_count_bits> rays_offered;  // in all
+constexpr Data<"lets_rings"> lets_rings;  // 0: no ray is read and no answer written any more
+struct RingSettings : List<rays_at, answers_at, ring_last, rays_offered, lets_rings> {};
+// What it says of them.
+constexpr Data<"ray_begins"> ray_begins;                       // a ray has begun in the cycle before
+constexpr Data<"ring_answers", ring_count_bits> ring_answers;  // that are in memory, in all
+constexpr Data<"ring_busy"> ring_busy;    // rays have not begun, or answers are not in memory
+constexpr Data<"ring_quiet"> ring_quiet;  // nothing is being read or written
+constexpr Data<"ring_error"> ring_error;  // it had an error in the cycle before
+struct RingState : List<ray_begins, ring_answers, ring_busy, ring_quiet, ring_error> {};
+
+// What a cache has done in the cycle before.
+constexpr Data<"cache_hit"> cache_hit;    // a ray has come to a line that was there
+constexpr Data<"cache_join"> cache_join;  // a ray has come to a line that is on its way
+struct CacheEvents : List<cache_hit, cache_join> {};
 
 }  // namespace hitpipe::hls::channels

@@ -43,6 +43,7 @@ constexpr SignedData<"thrice", &CoreBits::determinant> thrice;        // the low
 constexpr Data<"quotient", quotient_bits>
     quotient;  // bits of T enter below; what is to be divided leaves above
 constexpr Data<"nearer"> nearer;
+constexpr DataIf<"backward", 1, has_questions> backward;  // det is negative
 
 constexpr Block<"rays", &CoreBits::rays, ray_bits> rays;  // the queue
 constexpr Block<"dets", &CoreBits::rays, &CoreBits::determinant> dets;
@@ -53,9 +54,10 @@ struct Divider {
   static constexpr const char* summary = "distance of the triangles that are hit, and the nearest";
   using Bits = CoreBits;
   using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>, Fixed<CoreBits{{20, 1, 20, 0, 0}, 7}>>;
-  struct In : Join<Tested, TestDet, TestNum, Divides::Back> {};
-  using Out = Divides;
-  struct State : Join<Queue::State, List<left, compares, answers, at, remainder, thrice, quotient, nearer>> {
+  struct In : Join<Tested, TestDet, TestNum, Divides::Back, Compares::Back> {};
+  struct Out : Join<Divides, Compares> {};
+  struct State
+      : Join<Queue::State, List<left, compares, answers, at, remainder, thrice, quotient, nearer, backward>> {
   };
   struct Memory : List<rays, dets, nums> {};
 
@@ -65,6 +67,7 @@ struct Divider {
     out[done] = now[answers];
     out[t] = slice(now[quotient], t.width(f) - 1_w, 0_w);
     out[closer] = now[nearer];
+    if (has_questions(CoreBits(f))) out[hit_back] = now[backward];
   }
 
   template <class D>
@@ -130,7 +133,16 @@ struct Divider {
         cat(slice(now[quotient], t_bits - 3_w, 0_w), cat(Bit(~first_negative), Bit(~Bit(sign(divided)))));
 
     const auto found = slice(now[quotient], t.width(f) - 1_w, 0_w);
-    next[nearer] = Bit(cat(found, in[asked_number]) < cat(in[best], in[best_number]));
+    const Bit is_less = Bit(cat(found, in[asked_number]) < cat(in[best], in[best_number]));
+    // The next crossing is not before the ray's place. A crossing that is counted is.
+    next[nearer] = change_if(has_questions(CoreBits(f)), is_less, [&](const Bit& less) {
+      // A ray that counts takes every triangle at its end, whatever its number.
+      const auto any_number = spread(in[asked_counts], width_of(in[asked_from_number]));
+      const auto end = cat(in[asked_from_t], in[asked_from_number] | any_number);
+      const Bit before = as("before", Bit(cat(found, in[asked_number]) < end));
+      next[backward] = sign(det);
+      return select(in[asked_counts], before, Bit(less & ~before));
+    });
     next.where(loads)[at] = memory[rays].word();
     next[remainder] = select(loads, above, divided);
     next.where(loads)[thrice] = resize(det + as_signed(cat(det, zero)), det_bits);

@@ -47,6 +47,8 @@ struct MemoryShape {
   int width;  ///< bits of a word, 1..128
   MemoryKind kind;
   const std::uint32_t* contents = nullptr;  ///< of a rom: its words, of at most 32 bits
+  bool is_apart =
+      false;  ///< of a block memory: no word is read while it is written, so chips need no logic for it
 
   /// The word comes in the next cycle.
   constexpr bool is_late() const { return kind != MemoryKind::lookup; }

@@ -87,13 +87,19 @@ struct Packed {
 };
 
 /// `Contents` gives the words of a rom.
-template <Name N, auto Words, class Word, MemoryKind Kind, auto Contents = nullptr>
+template <Name N, auto Words, class Word, MemoryKind Kind, auto Contents = nullptr, auto Exists = true,
+          bool IsApart = false>
 struct MemoryOf {
   using Content = Word;
+  template <class F>
+  static constexpr bool exists(const F& format) {
+    return number_in<Exists>(format) != 0;
+  }
   template <class F>
   static constexpr MemoryShape shape(const F& format) {
     MemoryShape made{N.text, number_in<Words>(format), Word::width(format), Kind};
     if constexpr (Kind == MemoryKind::rom) made.contents = Contents();
+    made.is_apart = IsApart;
     return made;
   }
 };
@@ -101,8 +107,22 @@ template <Name N, auto Words, class Parts>
 using BlockOf = MemoryOf<N, Words, Packed<Parts>, MemoryKind::block>;
 template <Name N, auto Words, auto W>
 using Block = MemoryOf<N, Words, Plain<W>, MemoryKind::block>;
+/// No word is read while it is written.
+template <Name N, auto Words, auto W>
+using BlockApart = MemoryOf<N, Words, Plain<W>, MemoryKind::block, nullptr, true, true>;
 template <Name N, auto Words, auto W>
 using Lookup = MemoryOf<N, Words, Plain<W>, MemoryKind::lookup>;
+template <Name N, auto Words, class Parts>
+using LookupOf = MemoryOf<N, Words, Packed<Parts>, MemoryKind::lookup>;
+/// Only in formats where that holds.
+template <Name N, auto Words, auto W, auto Exists>
+using LookupIf = MemoryOf<N, Words, Plain<W>, MemoryKind::lookup, nullptr, Exists>;
+template <Name N, auto Words, class Parts, auto Exists>
+using LookupOfIf = MemoryOf<N, Words, Packed<Parts>, MemoryKind::lookup, nullptr, Exists>;
+template <Name N, auto Words, auto W, auto Exists>
+using BlockIf = MemoryOf<N, Words, Plain<W>, MemoryKind::block, nullptr, Exists>;
+template <Name N, auto Words, class Parts, auto Exists>
+using BlockOfIf = MemoryOf<N, Words, Packed<Parts>, MemoryKind::block, nullptr, Exists>;
 template <Name N, auto Words, auto W>
 using Single = MemoryOf<N, Words, Plain<W>, MemoryKind::single>;
 template <Name N, auto Contents, auto Words, auto W>
@@ -123,7 +143,10 @@ struct MemorySlots<Memory, List<Items...>> : MemorySlot<Memory, std::remove_cons
   }
   template <class Format, class Self, class Visit>
   static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    (visit(Items.shape(format), self.template of<std::remove_const_t<decltype(Items)>>()), ...);
+    [[maybe_unused]] const auto visit_one = [&](auto item) {
+      if (item.exists(format)) visit(item.shape(format), self.template of<decltype(item)>());
+    };
+    (visit_one(Items), ...);
   }
 };
 }  // namespace detail

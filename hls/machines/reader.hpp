@@ -9,15 +9,18 @@
 
 #include "hls/machines/channels.hpp"
 #include "hls/machines/memory.hpp"
+#include "hls/num/levels.hpp"
 
 namespace hitpipe::hls {
 
-/// The format "aAiI", for example a24i5.
+/// The format "aAiI", for example a24i5, or "aAiIqQ".
 struct ReaderBits {
-  int address = 24;  ///< A: bits of a block's number
-  int ray = 5;       ///< I: bits of a ray's number
+  int address = 24;   ///< A: bits of a block's number
+  int ray = 5;        ///< I: bits of a ray's number
+  int questions = 0;  ///< Q: rays may test a triangle again
 
-  static constexpr FormatField fields[] = {{"a", "A", 4, 32}, {"i", "I", 1, 8}};
+  static constexpr FormatField fields[] = {
+      {"a", "A", 4, 32}, {"i", "I", 1, 8}, {"q", "Q", 1, 1, nullptr, true}};
 
   constexpr int rays() const { return power_of_two(ray); }
   /// Of a word in `leaves`: outside, triangles to come, the block of the next.
@@ -36,7 +39,8 @@ constexpr Control<"there_1"> there_1;  // a ray whose triangle has been tested
 constexpr Data<"stops_1"> stops_1;
 constexpr Data<"settled_1"> settled_1;  // no word was to be written when the leaf's was asked for
 constexpr Data<"ray_1", ray_bits> ray_1;
-constexpr Control<"writes"> writes;  // what the leaf's word becomes, to be written
+constexpr DataIf<"again_1", 1, has_questions> again_1;  // it wants the same triangle again
+constexpr Control<"writes"> writes;                     // what the leaf's word becomes, to be written
 constexpr Data<"writer", ray_bits> writer;
 constexpr Data<"leaf", &ReaderBits::leaf> leaf;
 
@@ -50,24 +54,29 @@ constexpr Block<"missed_rays", &ReaderBits::rays, ray_bits> missed_rays;
 constexpr BlockOf<"divided_rays", &ReaderBits::rays, Compared> divided_rays;
 constexpr BlockOf<"leaves", &ReaderBits::rays, Leaf> leaves;  // by ray
 constexpr Block<"flaws", &ReaderBits::rays, 1> flaws;         // by ray: its last triangle was none
+constexpr BlockIf<"missed_again", &ReaderBits::rays, 1, has_questions> missed_again;  // beside missed_rays
 
 struct Reader {
   static constexpr const char* name = "reader";
   static constexpr const char* summary = "asks memory for records, and for a leaf's triangles in turn";
   using Bits = ReaderBits;
   using BuiltIn = FormatList<Fixed<ReaderBits{24, 5}>, Fixed<ReaderBits{24, 7}>>;
-  struct In : Join<Goes, TriangleFlaw, Tested, Divided, Asks::Back, List<last>> {};
+  struct In : Join<Goes, TriangleFlaw, Tested, Divided, Asks::Back, List<last, again>> {};
   struct Out : Join<Asks, LeafDone> {};
   struct State : Join<GoQueue::State, MissQueue::State, DivideQueue::State,
-                      List<there_1, stops_1, settled_1, ray_1, writes, writer, leaf>> {};
-  struct Memory : List<go_words, missed_rays, divided_rays, leaves, flaws> {};
+                      List<there_1, stops_1, settled_1, ray_1, writes, writer, leaf, again_1>> {};
+  struct Memory : List<go_words, missed_rays, divided_rays, leaves, flaws, missed_again> {};
 
   template <class D>
-  static constexpr void outputs(const auto& /*f*/, const auto& now, const auto& memory, const auto& out) {
+  static constexpr void outputs(const auto& f, const auto& now, const auto& memory, const auto& out) {
     using Bit = typename D::bit;
-    const auto wants = wanted_by<D>(now, memory);
+    const auto wants = wanted_by<D>(f, now, memory);
     out[asks] = wants.next | wants.go;
-    out[asked_block] = select(wants.next, wants.leaf[block], wants.first[block]);
+    // The leaf's word has the block behind the triangle that was tested.
+    const auto next_block =
+        change_if(has_questions(ReaderBits(f)), wants.leaf[block],
+                  [&](const auto& behind) { return as("next_block", minus(behind, now[again_1])); });
+    out[asked_block] = select(wants.next, next_block, wants.first[block]);
     out[asker] = select(wants.next, now[ray_1], wants.first[walk_ray]);
     out[triangle] = wants.next | wants.first[go_triangle];
     const Bit is_lost = wants.next_lost | wants.go_lost;
@@ -78,18 +87,21 @@ struct Reader {
   }
 
   template <class D>
-  static constexpr void step(const auto& /*f*/, const auto& now, const auto& in, const auto& memory,
+  static constexpr void step(const auto& f, const auto& now, const auto& in, const auto& memory,
                              const auto& next) {
     using Bit = typename D::bit;
     const auto one = D::lit(1, 1_w);
-    const auto wants = wanted_by<D>(now, memory);
+    const auto wants = wanted_by<D>(f, now, memory);
+    const bool has_again = has_questions(ReaderBits(f));
 
     // Into the queues. A block is outside where its number is larger than the last one's.
     const Bit record = as("record", is<D>(in[triangles], (1 << child_count_bits) - 1));
     memory[go_words].write(in[goes], as("go_place", GoQueue::place(now)), in[walk_ray],
                            Bit(in[last] < in[wanted]), Bit(~record), in[wanted]);
     const Bit misses = as("misses", in[tested] & ~in[hit]);
-    memory[missed_rays].write(misses, as("missed_place", MissQueue::place(now)), in[tester]);
+    const auto missed_place = as("missed_place", MissQueue::place(now));
+    memory[missed_rays].write(misses, missed_place, in[tester]);
+    if (has_again) memory[missed_again].write(misses, missed_place, in[again]);
     memory[divided_rays].write(in[divided], as("divided_place", DivideQueue::place(now)), in[divided_ray],
                                in[divided_stops]);
 
@@ -117,21 +129,29 @@ struct Reader {
     memory[flaws].write(in[reads], in[read_ray], in[unread]);
     memory[flaws].ask(ray);
     memory[go_words].ask(GoQueue::step<D>(now, next, in[goes], Bit(go_granted | wants.go_lost)));
-    memory[missed_rays].ask(MissQueue::step<D>(now, next, misses, takes_missed));
+    const auto next_missed = MissQueue::step<D>(now, next, misses, takes_missed);
+    memory[missed_rays].ask(next_missed);
     memory[divided_rays].ask(DivideQueue::step<D>(now, next, in[divided], takes_divided));
     next[stops_1] = select(now[there_1], now[stops_1], Bit(takes_divided & Bit(compared[divided_stops])));
     next[there_1] = holds | takes_divided | takes_missed;
     next[settled_1] = ~now[writes];
     next.where(next_granted)[writer] = now[ray_1];
     next.where(next_granted)[leaf] = word_behind(wants.leaf[block], wants.leaf[triangles]);
-    next[writes] = next_granted | (now[writes] & begins);
+    // The word of a ray that tests a triangle again stays as it is.
+    const Bit goes_on = change_if(has_again, next_granted, [&](const Bit& granted_one) {
+      memory[missed_again].ask(next_missed);
+      next[again_1] =
+          select(now[there_1], now[again_1], Bit(takes_missed & Bit(memory[missed_again].word())));
+      return as("goes_on", granted_one & ~now[again_1]);
+    });
+    next[writes] = goes_on | (now[writes] & begins);
     next[ray_1] = ray;
   }
 
  private:
   /// What the first of the rays want.
   template <class D>
-  static constexpr auto wanted_by(const auto& now, const auto& memory) {
+  static constexpr auto wanted_by(const auto& f, const auto& now, const auto& memory) {
     using Bit = typename D::bit;
     struct Wants {
       Bit next, done, next_lost;  // the ray of stage 1: its leaf's next triangle, which may not be there
@@ -142,10 +162,15 @@ struct Reader {
     };
     // Stage 1: the word of a leaf is there, unless one is to be written first.
     const auto its_leaf = memory[leaves].word();
+    const bool has_again = has_questions(ReaderBits(f));
+    const auto unless_again = [&](const Bit& x) {
+      return change_if(has_again, x, [&](const Bit& bit) { return Bit(bit & ~now[again_1]); });
+    };
     const Bit was_unread = memory[flaws].word();
-    const Bit is_bad = as("leaf_is_bad", was_unread | Bit(its_leaf[outside]));
+    const Bit is_bad = as("leaf_is_bad", was_unread | unless_again(Bit(its_leaf[outside])));
     const Bit knows = as("knows", now[there_1] & now[settled_1] & ~now[writes]);
-    const Bit is_done = as("leaf_ends", knows & ~was_unread & (now[stops_1] | ~any<D>(its_leaf[triangles])));
+    const Bit is_done =
+        as("leaf_ends", knows & ~was_unread & unless_again(now[stops_1] | ~any<D>(its_leaf[triangles])));
     const Bit wants_next = as("wants_next", knows & ~is_done & ~is_bad);
     const Bit next_lost = as("next_lost", knows & ~is_done & is_bad);
 

@@ -91,8 +91,8 @@ using Control = FieldOf<N, W, false, true, Reset>;
 /// The same, only in formats where that holds.
 template <Name N, auto W, auto Exists>
 using DataIf = FieldOf<N, W, false, false, 0, Exists>;
-template <Name N, auto W, auto Exists>
-using ControlIf = FieldOf<N, W, false, true, 0, Exists>;
+template <Name N, auto W, auto Exists, std::int64_t Reset = 0>
+using ControlIf = FieldOf<N, W, false, true, Reset, Exists>;
 
 /// The register that holds a field for a cycle: "length_1" of "length".
 template <auto Field>

@@ -3,135 +3,34 @@
 // as 0, and to write it changes nothing. A number that is too large for its register becomes the largest there.
 //   0x00  identity        0x04  version
 //   0x08  status: the bits of Status below. Some stay until software writes a 1 to them
-//   0x0c  control: to write 1 begins a soft reset
+//   0x0c  control: to write 1 begins a soft reset, and to write 2 empties the cache
 //   0x10  base address of the image: low word, a multiple of 64; 0x14: high word, without bits above the bus
 //   0x18  number of the image's last block
 //   0x1c  records that a ray may test
 //   0x20  rays in flight; 0 after a reset, and then no ray begins. Only a reset makes them fewer
 //   0x24  counters: a write makes all 0
 //   0x28  format, 0x2c: shape, 0x30: ports of the core, which are constants (rtl_gen/core/identity.hpp)
+//   0x34  lines that the cache may read at a time, 1 or more
 //   0x40  counters, of two words each, the low one first: cycles, rays that have begun, answers, answers with
 //         a hit that have not failed, records that were asked for, triangles that were asked for, cycles without a
-//         request, cycles in which memory took no request
+//         request, cycles in which memory took no request; with a cache these are requests to it, and there are
+//         more: hits, joins, lines that were read
+//   0x98  with rays from memory: address of the ring of rays, low and high word, a multiple of 128
+//   0xa0  address of the ring of answers, likewise
+//   0xa8  places of each ring, less 1
+//   0xac  rays that were offered, of all; a soft reset makes it 0
+//   0xb0  from how many answers on there is an interrupt, and 2^16 above it to have one
+//   0xb4  answers that are in memory, of all
 //
 // A soft reset takes no new ray, request or answer any more, but what is offered stays until it is taken. When all
-// blocks that were asked for have come, the core is reset. Rays that were in flight get no answer.
+// blocks that were asked for have come, the core is reset. Rays that were in flight get no answer. A core with a cache
+// does not ask it for blocks any more, and one with rings ends what it reads and writes there. A write to the address of the image or to its last block empties the cache.
 #pragma once
 
-#include "hls/box/format.hpp"
-#include "hls/machines/channels.hpp"
-#include "hls/machines/memory.hpp"
+#include "hls/machines/register_fields.hpp"
 
 namespace hitpipe::hls {
-
-/// The format "aAhHiIcC", for example a24h32i5c40.
-struct RegisterBits {
-  int address = 24;  ///< A: bits of a block's number
-  int bytes = 32;    ///< H: bits of an address, of bytes, at least A + 5
-  int ray = 5;       ///< I: bits of a ray's number
-  int counter = 40;  ///< C: bits of a counter
-
-  static constexpr FormatField fields[] = {
-      {"a", "A", 4, 32}, {"h", "H", 9, 64}, {"i", "I", 1, 8}, {"c", "C", 1, 64}};
-  static constexpr const char* condition = "H at least A+5";
-
-  constexpr bool valid() const { return bytes >= address + 5; }
-  friend constexpr bool operator==(const RegisterBits&, const RegisterBits&) = default;
-};
-
 namespace registers {
-
-using namespace channels;
-
-constexpr std::int64_t identity = 0x48697470;  ///< "Hitp"
-constexpr std::int64_t version = 2;
-constexpr int word_place_bits = 6;  ///< words up to 0xfc
-/// Of words, not of bytes.
-enum Place {
-  identity_at,
-  version_at,
-  status_at,
-  control_at,
-  base_at,
-  high_base_at,
-  last_at,
-  most_steps_at,
-  most_rays_at,
-  clear_at,
-  format_at,
-  shape_at,
-  ports_at
-};
-/// Bits of the status. From `failed_bit` on they stay until software clears them.
-enum Status {
-  idle_bit,                                      ///< no ray is in the core, so the image may change
-  resetting_bit,                                 ///< a soft reset is on its way
-  failed_bit = 8,                                ///< and a Failure: an answer has failed by it
-  bus_bit = failed_bit + int{unread_block} + 1,  ///< a block could not be read
-  base_bit  ///< an address of an image was written that is no multiple of 64
-};
-constexpr int first_sticky = failed_bit + int{no_ray}, sticky_bits = base_bit - first_sticky + 1;
-constexpr int counters_at = 16;
-
-constexpr Data<"awvalid"> awvalid;
-constexpr Data<"awaddr", word_place_bits + 2> awaddr;
-constexpr Data<"wvalid"> wvalid;
-constexpr Data<"wdata", 32> wdata;
-constexpr Data<"wstrb", 4> wstrb;
-constexpr Data<"bready"> bready;
-constexpr Data<"arvalid"> arvalid;
-constexpr Data<"araddr", word_place_bits + 2> araddr;
-constexpr Data<"rready"> rready;
-constexpr Data<"awready"> awready;
-constexpr Data<"wready"> wready;
-constexpr Data<"bvalid"> bvalid;
-constexpr Data<"bresp", 2> bresp;
-constexpr Data<"arready"> arready;
-constexpr Data<"rvalid"> rvalid;
-constexpr Data<"rdata", 32> rdata;
-constexpr Data<"rresp", 2> rresp;
-// What the core is.
-constexpr Data<"about_format", 32> about_format;
-constexpr Data<"about_shape", 32> about_shape;
-constexpr Data<"about_ports", 32> about_ports;
-// What passes between the core and its surroundings, and the reset of the core.
-constexpr Data<"lets_rays"> lets_rays;
-constexpr Data<"lets_requests"> lets_requests;
-constexpr Data<"lets_answers"> lets_answers;
-constexpr Data<"resets"> resets;
-
-// A write: its address and its word come in any order.
-constexpr Control<"has_place"> has_place;
-constexpr Control<"has_word"> has_word;
-constexpr Data<"write_place", word_place_bits> write_place;
-constexpr Data<"written_word", 32> written_word;
-constexpr Data<"strobes", 4> strobes;
-constexpr Control<"written"> written;  // its answer is given
-constexpr Control<"has_read"> has_read;
-constexpr Control<"gives"> gives;
-constexpr Data<"read_place", word_place_bits> read_place;
-constexpr Data<"given", 32> given;
-constexpr Control<"base_r", base_bits> base_r;
-constexpr Control<"last_r", address_bits> last_r;
-constexpr Control<"most_steps_r", step_count_bits, low_mask(step_count_bits)> most_steps_r;
-constexpr Control<"most_rays_r", ray_count_bits> most_rays_r;
-constexpr Control<"sticky_r", sticky_bits> sticky_r;
-/// Some rays wait in front of those in flight.
-inline constexpr auto flying_bits = [](const RegisterBits& f) { return f.ray + 5; };
-constexpr Control<"flying", flying_bits> flying;       // rays in the core
-constexpr Control<"reading", ray_count_bits> reading;  // blocks on their way
-constexpr Control<"stops"> stops;                      // a soft reset has begun
-constexpr Control<"offers_requests", 1, 1> offers_requests;
-constexpr Control<"offers_answers", 1, 1> offers_answers;
-constexpr Control<"resets_r"> resets_r;
-constexpr Control<"count_cycles", &RegisterBits::counter> count_cycles;
-constexpr Control<"count_rays", &RegisterBits::counter> count_rays;
-constexpr Control<"count_answers", &RegisterBits::counter> count_answers;
-constexpr Control<"count_hits", &RegisterBits::counter> count_hits;
-constexpr Control<"count_records", &RegisterBits::counter> count_records;
-constexpr Control<"count_triangles", &RegisterBits::counter> count_triangles;
-constexpr Control<"count_idle", &RegisterBits::counter> count_idle;
-constexpr Control<"count_refused", &RegisterBits::counter> count_refused;
 
 struct Registers {
   static constexpr const char* name = "registers";
@@ -141,18 +40,32 @@ struct Registers {
   struct In
       : List<awvalid, awaddr, wvalid, wdata, wstrb, bready, arvalid, araddr, rready, ray_valid, ray_ready,
              Hits::valid, Hits::ready, Hits::number, Hits::failed, request_valid, request_ready, request_id,
-             read_valid, read_error, about_format, about_shape, about_ports> {};
+             read_valid, read_error, about_format, about_shape, about_ports, hit_happens, join_happens,
+             line_asked, answers_there, rings_busy, rings_quiet, rings_error> {};
   struct Out : Join<List<awready, wready, bvalid, bresp, arready, rvalid, rdata, rresp>, Settings,
-                    List<lets_rays, lets_requests, lets_answers, resets>> {};
+                    List<lets_rays, lets_requests, lets_answers, resets, most_lines_given, empties_given,
+                         rays_place, answers_place, last_place, offered, interrupt>> {};
   struct State : List<has_place, has_word, write_place, written_word, strobes, written, has_read, gives,
                       read_place, given, base_r, last_r, most_steps_r, most_rays_r, sticky_r, flying, reading,
                       stops, offers_requests, offers_answers, resets_r, count_cycles, count_rays,
-                      count_answers, count_hits, count_records, count_triangles, count_idle, count_refused> {
-  };
+                      count_answers, count_hits, count_records, count_triangles, count_idle, count_refused,
+                      most_lines_r, empties_r, count_cache_hits, count_joins, count_lines, rays_at_r,
+                      answers_at_r, ring_last_r, offered_r, interrupt_r, ring_failed_r, interrupts_r> {};
   struct Memory : List<> {};
 
   template <class D>
-  static constexpr void outputs(const auto& /*f*/, const auto& now, const auto& /*memory*/, const auto& out) {
+  static constexpr void outputs(const auto& f, const auto& now, const auto& /*memory*/, const auto& out) {
+    if (has_cache(f)) {
+      out[most_lines_given] = now[most_lines_r];
+      out[empties_given] = now[empties_r];
+    }
+    if (has_rings(f)) {
+      out[rays_place] = now[rays_at_r];
+      out[answers_place] = now[answers_at_r];
+      out[last_place] = now[ring_last_r];
+      out[offered] = now[offered_r];
+      out[interrupt] = now[interrupts_r];
+    }
     const auto okay = D::lit(0, 2_w);
     out[awready] = ~now[has_place];
     out[wready] = ~now[has_word];
@@ -173,23 +86,25 @@ struct Registers {
   }
 
   template <class D>
-  static constexpr void step(const auto& /*f*/, const auto& now, const auto& in, const auto& /*memory*/,
+  static constexpr void step(const auto& f, const auto& now, const auto& in, const auto& /*memory*/,
                              const auto& next) {
     using Bit = typename D::bit;
     const auto place_of = [](const auto& address) { return slice(address, 7_w, 2_w); };
 
     const Bit reads = as("reads", now[has_read] & (~now[gives] | in[rready]));
-    next.where(reads)[given] = as("read_word", word_read<D>(now, in));
+    next.where(reads)[given] = as("read_word", word_read<D>(f, now, in));
     next[gives] = reads | (now[gives] & ~in[rready]);
     next[read_place] = select(now[has_read], now[read_place], place_of(in[araddr]));
     next[has_read] = (now[has_read] & ~reads) | (~now[has_read] & in[arvalid]);
 
     const Bit writes = as("writes", now[has_place] & now[has_word] & ~now[written]);
     const Bit clears = as("clears", writes & is<D>(now[write_place], clear_at));
-    count<D>(now, in, clears, next);
+    count<D>(f, now, in, clears, next);
     const auto mask = as("mask", mask_of<D>(now, writes));
     write<D>(now, mask, next);
-    follow<D>(now, in, mask, next);
+    follow<D>(f, now, in, mask, next);
+    if (has_rings(f)) of_rings<D>(now, in, mask, next);
+    if (has_cache(f)) of_cache<D>(now, mask, writes, next);
     next[written] = writes | (now[written] & ~in[bready]);
     next[write_place] = select(now[has_place], now[write_place], place_of(in[awaddr]));
     next[written_word] = select(now[has_word], now[written_word], in[wdata]);
@@ -199,6 +114,8 @@ struct Registers {
   }
 
  private:
+  static constexpr bool has_cache(const RegisterBits& bits) { return bits.cache != 0; }
+  static constexpr bool has_rings(const RegisterBits& bits) { return bits.rings != 0; }
   /// x in 64 bits: two words.
   static constexpr auto two_words(const auto& x) { return as_unsigned(resize(x, 64_w)); }
 
@@ -216,13 +133,13 @@ struct Registers {
 
   /// The word at `read_place`.
   template <class D>
-  static constexpr auto word_read(const auto& now, const auto& in) {
+  static constexpr auto word_read(const auto& f, const auto& now, const auto& in) {
     const auto if_at = [&](int place, const auto& word) { return only(is<D>(now[read_place], place), word); };
     const auto low = [&](const auto& x) { return slice(two_words(x), 31_w, 0_w); };
     const auto high = [&](const auto& x) { return slice(two_words(x), 63_w, 32_w); };
     const auto address = cat(now[base_r], D::lit(0, 6_w));
-    const auto status =
-        cat(now[sticky_r], cat(D::lit(0, Width<first_sticky - 2>()), cat(now[stops], is_idle<D>(now))));
+    const auto status = cat(
+        now[sticky_r], cat(D::lit(0, Width<first_sticky - 2>()), cat(now[stops], is_idle<D>(f, now, in))));
     const auto about = if_at(status_at, low(status)) | if_at(format_at, in[about_format]) |
                        if_at(shape_at, in[about_shape]) | if_at(ports_at, in[about_ports]);
     const auto settings =
@@ -234,38 +151,97 @@ struct Registers {
       const auto place = slice(now[read_place], Width<word_place_bits - 1>(), 1_w);
       return only(is<D>(place, counters_at / 2 + number), select(second, high(now[field]), low(now[field])));
     };
-    return about | settings | counter(0, count_cycles) | counter(1, count_rays) | counter(2, count_answers) |
-           counter(3, count_hits) | counter(4, count_records) | counter(5, count_triangles) |
-           counter(6, count_idle) | counter(7, count_refused);
+    const auto always = about | settings | counter(0, count_cycles) | counter(1, count_rays) |
+                        counter(2, count_answers) | counter(3, count_hits) | counter(4, count_records) |
+                        counter(5, count_triangles) | counter(6, count_idle) | counter(7, count_refused);
+    auto word = always;
+    if (has_cache(f))
+      word = always | if_at(most_lines_at, low(now[most_lines_r])) | counter(8, count_cache_hits) |
+             counter(9, count_joins) | counter(10, count_lines);
+    if (has_rings(f)) {
+      const auto ring = [&](int low_at, auto field) {
+        const auto place = cat(now[field], D::lit(0, 7_w));
+        return if_at(low_at, low(place)) | if_at(low_at + 1, high(place));
+      };
+      const auto failed = cat(now[ring_failed_r], D::lit(0, Width<ring_bit>()));
+      word = word | ring(rays_low_at, rays_at_r) | ring(answers_low_at, answers_at_r) |
+             if_at(ring_last_at, low(now[ring_last_r])) | if_at(offered_at, low(now[offered_r])) |
+             if_at(interrupt_at, low(now[interrupt_r])) | if_at(answered_at, low(in[answers_there])) |
+             if_at(status_at, low(failed));
+    }
+    return word;
   }
 
   template <class D>
   static constexpr void write(const auto& now, const auto& mask, const auto& next) {
     using Bit = typename D::bit;
+    next[base_r] = changed_address<D>(now, mask, base_r, base_at, 6_w);
+    next[last_r] = changed_field<D>(now, mask, last_r, last_at);
+    next[most_steps_r] = changed_field<D>(now, mask, most_steps_r, most_steps_at);
+    next[most_rays_r] = only(Bit(~now[stops]), changed_field<D>(now, mask, most_rays_r, most_rays_at));
+  }
+
+  /// What a write makes of an address, without its low zeros.
+  template <class D>
+  static constexpr auto changed_address(const auto& now, const auto& mask, auto field, int low_at,
+                                        const auto& zeros) {
     const auto words = cat(now[written_word], now[written_word]);
-    const auto changed = [&](const auto& old, const auto& by) { return (old & ~by) | (words & by); };
-    const auto address = two_words(cat(now[base_r], D::lit(0, 6_w)));
-    const auto of_address = cat(mask_at<D>(now, mask, high_base_at), mask_at<D>(now, mask, base_at));
-    next[base_r] = slice(changed(address, of_address), width_of(now[base_r]) + 5_w, 6_w);
-    const auto changed_field = [&](auto field, int at) {
-      const auto word = changed(two_words(now[field]), cat(D::lit(0, 32_w), mask_at<D>(now, mask, at)));
-      const auto width = width_of(now[field]);
-      const Bit above = any<D>(slice(word, 63_w, width));
-      return slice(word, width - 1_w, 0_w) | spread(above, width);
-    };
-    next[last_r] = changed_field(last_r, last_at);
-    next[most_steps_r] = changed_field(most_steps_r, most_steps_at);
-    next[most_rays_r] = only(Bit(~now[stops]), changed_field(most_rays_r, most_rays_at));
+    const auto old = two_words(cat(now[field], D::lit(0, zeros)));
+    const auto by = cat(mask_at<D>(now, mask, low_at + 1), mask_at<D>(now, mask, low_at));
+    return slice((old & ~by) | (words & by), width_of(now[field]) + zeros - 1_w, zeros);
+  }
+
+  /// Where the rings are, and what they say.
+  template <class D>
+  static constexpr void of_rings(const auto& now, const auto& in, const auto& mask, const auto& next) {
+    using Bit = typename D::bit;
+    next[rays_at_r] = changed_address<D>(now, mask, rays_at_r, rays_low_at, 7_w);
+    next[answers_at_r] = changed_address<D>(now, mask, answers_at_r, answers_low_at, 7_w);
+    next[ring_last_r] = changed_field<D>(now, mask, ring_last_r, ring_last_at);
+    next[offered_r] = only(Bit(~now[resets_r]), changed_field<D>(now, mask, offered_r, offered_at));
+    next[interrupt_r] = changed_field<D>(now, mask, interrupt_r, interrupt_at);
+    const auto from = slice(now[interrupt_r], Width<ring_count_bits - 1>(), 0_w);
+    const Bit enough = ~sign(minus(in[answers_there], from));
+    next[interrupts_r] = as("interrupts", bit_at(now[interrupt_r], Width<ring_count_bits>()) & enough);
+    const auto ones = now[written_word] & mask;
+    const Bit cleared = bit_at(mask_at<D>(now, ones, status_at), Width<ring_bit>());
+    next[ring_failed_r] = in[rings_error] | (now[ring_failed_r] & ~cleared);
+  }
+
+  /// How a cache is told that the image has changed, and how many lines it may read.
+  template <class D>
+  static constexpr void of_cache(const auto& now, const auto& mask, const typename D::bit& writes,
+                                 const auto& next) {
+    using Bit = typename D::bit;
+    const auto is_at = [&](int place) { return is<D>(now[write_place], place); };
+    const Bit of_image = is_at(base_at) | is_at(high_base_at) | is_at(last_at);
+    const auto ones = now[written_word] & mask;
+    const Bit asked_to = bit_at(mask_at<D>(now, ones, control_at), Width<empties_bit>());
+    next[empties_r] = as("empties", (writes & of_image) | asked_to);
+    next[most_lines_r] = changed_field<D>(now, mask, most_lines_r, most_lines_at);
+  }
+  /// What a write makes of a field. What is too large becomes its largest number.
+  template <class D>
+  static constexpr auto changed_field(const auto& now, const auto& mask, auto field, int at) {
+    const auto by = cat(D::lit(0, 32_w), mask_at<D>(now, mask, at));
+    const auto words = cat(now[written_word], now[written_word]);
+    const auto word = (two_words(now[field]) & ~by) | (words & by);
+    const auto width = width_of(now[field]);
+    const typename D::bit above = any<D>(slice(word, 63_w, width));
+    return slice(word, width - 1_w, 0_w) | spread(above, width);
   }
 
   template <class D>
-  static constexpr typename D::bit is_idle(const auto& now) {
-    return ~any<D>(now[flying]) & ~now[stops];
+  static constexpr typename D::bit is_idle(const auto& f, const auto& now, const auto& in) {
+    typename D::bit idle = ~any<D>(now[flying]) & ~now[stops];
+    if (has_rings(f)) idle = idle & ~in[rings_busy];
+    return idle;
   }
 
   /// Rays and blocks on their way, what has gone wrong, and a soft reset.
   template <class D>
-  static constexpr void follow(const auto& now, const auto& in, const auto& mask, const auto& next) {
+  static constexpr void follow(const auto& f, const auto& now, const auto& in, const auto& mask,
+                               const auto& next) {
     using Bit = typename D::bit;
     const Bit goes_on = ~now[resets_r];
     const auto moves = [&](auto field, const Bit& comes, const Bit& leaves) {
@@ -284,10 +260,11 @@ struct Registers {
     const auto cleared = slice(mask_at<D>(now, ones, status_at), Width<base_bit>(), Width<first_sticky>());
     next[sticky_r] = as("sticky", (now[sticky_r] & ~cleared) | happened);
 
-    const Bit begins = as("soft_reset", bit_at(mask_at<D>(now, ones, control_at), 0_w));
+    const Bit begins = as("soft_reset", bit_at(mask_at<D>(now, ones, control_at), Width<soft_reset_bit>()));
     const Bit stopping = as("stopping", begins | (now[stops] & goes_on));
-    const Bit still =
-        as("still", now[stops] & ~now[offers_requests] & ~now[offers_answers] & ~any<D>(now[reading]));
+    // The core gives answers to its rings until they are full, or its reset comes.
+    const Bit answers_left = has_rings(f) ? Bit(~in[rings_quiet]) : Bit(now[offers_answers]);
+    const Bit still = as("still", now[stops] & ~now[offers_requests] & ~answers_left & ~any<D>(now[reading]));
     // What is offered stays until it is taken.
     next[offers_requests] = ~stopping | (now[offers_requests] & in[request_valid] & ~in[request_ready]);
     next[offers_answers] = ~stopping | (now[offers_answers] & in[Hits::valid] & ~in[Hits::ready]);
@@ -296,7 +273,7 @@ struct Registers {
   }
 
   template <class D>
-  static constexpr void count(const auto& now, const auto& in, const typename D::bit& clears,
+  static constexpr void count(const auto& f, const auto& now, const auto& in, const typename D::bit& clears,
                               const auto& next) {
     using Bit = typename D::bit;
     const auto add = [&](auto counter, const Bit& happens) {
@@ -313,6 +290,11 @@ struct Registers {
     add(count_triangles, asked & triangle);
     add(count_idle, ~in[request_valid]);
     add(count_refused, in[request_valid] & ~in[request_ready]);
+    if (has_cache(f)) {
+      add(count_cache_hits, in[hit_happens]);
+      add(count_joins, in[join_happens]);
+      add(count_lines, in[line_asked]);
+    }
   }
 };
 

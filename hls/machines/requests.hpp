@@ -27,11 +27,10 @@ using namespace channels;
 
 // Two requests; the first is asked for.
 constexpr Control<"there_1"> there_1;
-inline constexpr auto place_bits = [](const auto& format) { return format.bytes - 5; };
-constexpr Data<"block_1", place_bits> block_1;
+constexpr Data<"block_1", block_place_bits> block_1;
 constexpr Data<"id_1", ray_count_bits> id_1;
 constexpr Control<"there_2"> there_2;
-constexpr Data<"block_2", place_bits> block_2;
+constexpr Data<"block_2", block_place_bits> block_2;
 constexpr Data<"id_2", ray_count_bits> id_2;
 
 struct Requests {

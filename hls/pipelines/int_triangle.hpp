@@ -6,7 +6,12 @@
 //   det = E1 . P, u = q . P, v = D . C, num = E2 . C
 // D is divided by its sign on the major axis, so there it is 2^S, and its products are shifts. The sign of
 // num is turned for that. The edges that the line passes are u, v and e0 = 2^g det + u + v. docs/formal.md
-// names the proofs. Widths: P n+S+1 bits, C 2n+g, det 2n+S+1, u, v and e0 2n+g+S+1, num 3n+g.
+// names the proofs. Widths: P and R n+S+1 bits, C 2n+g, det 2n+S+1, u, v and e0 2n+g+S+1, num 3n+g.
+//
+// Where one of u, v and e0 is 0, a hit is a tie. It counts if the ray, moved by eps along slot a and eps^2 along
+// slot b, meets the triangle (docs/integer_world.md, Exactly once). With R = D x E1 the move by eps adds -P_a,
+// R_a and R_a - P_a to u, v and e0, times eps. Where that is 0, slot b decides: R_b P_a - R_a P_b = 2^S det, so
+// the other component, which is not 0 in a hit, and det tell the sign there.
 #pragma once
 
 #include "hls/box/format.hpp"
@@ -45,6 +50,16 @@ constexpr typename D::bit has_sign(const char* name, const X& x, const typename 
   using Bit = typename D::bit;
   const Bit same = ~(Bit(sign(x)) ^ negative);
   return as(name, same | Bit(~any<D>(x)));
+}
+
+/// Whether the moved ray passes inside of an edge that it meets at 0. The move along slot a adds a number that is
+/// 0, or negative, to it. That must have the wanted sign; where it is 0, `other` tells.
+template <class D>
+constexpr typename D::bit moved_inside(const char* name, const typename D::bit& zero,
+                                       const typename D::bit& negative, const typename D::bit& wanted,
+                                       const typename D::bit& other) {
+  using Bit = typename D::bit;
+  return as(name, select(zero, other, Bit(~(negative ^ wanted))));
 }
 
 /// The two halves of a number.
@@ -136,6 +151,30 @@ struct IntTriangle {
     out.u_low = low_half(u);
     out.v_high = high_half(v);
     out.v_low = low_half(v);
+    out.side = back;
+    out.tie = change_if(0_w < format.crossings, out.hit, [&](const Bit& hit) {
+      return as("tie", hit & ~(any<D>(u) & any<D>(v) & any<D>(rest)));
+    });
+    out.once = change_if(1_w < format.crossings, out.hit, [&](const Bit& hit) {
+      const auto r_a = as("r_a", resize(in.slope_b * e1.m - along(e1.b), cross_bits));
+      const Bit p_0 = as("p_a_is_0", Bit(~any<D>(p_a)));
+      const Bit p_negative = sign(p_a);
+      const Bit r_0 = as("r_a_is_0", Bit(~any<D>(r_a)));
+      const Bit r_negative = sign(r_a);
+      const Bit equal = as("r_is_p", Bit(r_a == p_a));
+      const Bit less = as("r_less_p", Bit(r_a < p_a));
+      const Bit ok_u = moved_inside<D>("ok_u", p_0, p_negative, back, r_negative);
+      const Bit ok_v = moved_inside<D>("ok_v", r_0, r_negative, front, p_negative);
+      const Bit ok_0 = moved_inside<D>("ok_0", equal, less, back, Bit(~p_negative));
+      return as("once", hit & (any<D>(u) | ok_u) & (any<D>(v) | ok_v) & (any<D>(rest) | ok_0));
+    });
+    const auto of_edges = [](const Bit& of_rest, const Bit& of_v, const Bit& of_u) {
+      return cat(cat(of_rest, of_v), of_u);
+    };
+    const auto is_0 = [](const auto& x) { return Bit(~any<D>(x)); };
+    out.zero = of_edges(is_0(rest), is_0(v), is_0(u));
+    out.inner =
+        of_edges(Bit(~(Bit(sign(rest)) ^ back)), Bit(~(Bit(sign(v)) ^ front)), Bit(~(Bit(sign(u)) ^ front)));
     return out;
   }
 };

@@ -1,5 +1,5 @@
 // The format of the machines around the units of the integer world: "n+gsSiI", for example 20+1s20i5, or
-// "n+gsStFbBiI". The numbers before I are those of hls/world/world_format.hpp.
+// "n+gsStFbBcCiI". The numbers before I are those of hls/world/world_format.hpp.
 //   I  bits of a ray's number, 1..8: 2^I rays are in flight
 #pragma once
 
@@ -13,9 +13,9 @@ struct CoreBits : WorldBits {
 
   int ray = 5;  ///< I
 
-  static constexpr FormatField fields[] = {WorldBits::fields[0], WorldBits::fields[1],
-                                           WorldBits::fields[2], WorldBits::fields[3],
-                                           WorldBits::fields[4], {"i", "I", 1, most_ray_bits}};
+  static constexpr FormatField fields[] = {
+      WorldBits::fields[0], WorldBits::fields[1], WorldBits::fields[2],        WorldBits::fields[3],
+      WorldBits::fields[4], WorldBits::fields[5], {"i", "I", 1, most_ray_bits}};
   static constexpr const char* type = nullptr;
 
   constexpr int rays() const { return power_of_two(ray); }

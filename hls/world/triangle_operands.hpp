@@ -50,6 +50,12 @@ struct TriangleOperands {
 /// The numbers have a meaning only if HIT is 1, and then det is not 0.
 ///   T       = floor(2^(S+F) |num| / |det|)
 ///   weight of corner 1 = |u| / (2^g |det|), of corner 2 = |v| / (2^g |det|)
+/// Of crossings, each one bit (docs/integer_world.md, Exactly once):
+///   tie     a hit with u, v or e0 of 0; it is 0 without HIT
+///   once    the hit counts; it is 0 without HIT
+///   zero    of any test, bits 0, 1 and 2: u, v and e0 are 0
+///   inner   likewise: they have the sign that they have inside of the triangle; of 0 it means nothing
+///   side    det < 0. D . E1 x E2 is above 0 where side + back_m + major_y + major_z is odd
 template <class D, class F>
 struct TriangleResults {
   using bit = typename D::bit;
@@ -61,6 +67,8 @@ struct TriangleResults {
   typename F::template VolumeLow<D> num_low;
   typename F::template EdgeHigh<D> u_high, v_high;
   typename F::template EdgeLow<D> u_low, v_low;
+  bit tie, once, side;
+  typename F::template EdgeFlags<D> zero, inner;
 
   template <class Format, class Self, class Visit>
   static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
@@ -76,11 +84,22 @@ struct TriangleResults {
     visit(low("det_low", Meaning::determinant_low, bits.determinant()), self.det_low);
     visit(high("num_high", Meaning::volume, bits.volume()), self.num_high);
     visit(low("num_low", Meaning::volume_low, bits.volume()), self.num_low);
-    if (bits.weights == 0) return;
-    visit(high("u_high", Meaning::edge_u, bits.edge()), self.u_high);
-    visit(low("u_low", Meaning::edge_u_low, bits.edge()), self.u_low);
-    visit(high("v_high", Meaning::edge_v, bits.edge()), self.v_high);
-    visit(low("v_low", Meaning::edge_v_low, bits.edge()), self.v_low);
+    if (bits.weights != 0) {
+      visit(high("u_high", Meaning::edge_u, bits.edge()), self.u_high);
+      visit(low("u_low", Meaning::edge_u_low, bits.edge()), self.u_low);
+      visit(high("v_high", Meaning::edge_v, bits.edge()), self.v_high);
+      visit(low("v_low", Meaning::edge_v_low, bits.edge()), self.v_low);
+    }
+    const auto flag = [](const char* name, Meaning meaning) {
+      return Result{name, meaning, 0, 1, false, "triangle"};
+    };
+    if (bits.crossings % 2 == 1) visit(flag("tie", Meaning::tie), self.tie);
+    if (bits.crossings == 2) visit(flag("once", Meaning::once), self.once);
+    if (bits.crossings == 1 || bits.crossings == 2) visit(flag("side", Meaning::side), self.side);
+    if (bits.crossings == 3) {
+      visit(Result{"zero", Meaning::zero, 0, 3, false, "triangle"}, self.zero);
+      visit(Result{"inner", Meaning::inner, 0, 3, false, "triangle"}, self.inner);
+    }
   }
 };
 

@@ -1,10 +1,12 @@
-// The number format of the integer world (docs/integer_world.md): "n+gsS", e.g. 20+1s20, or "n+gsStFbB".
+// The number format of the integer world (docs/integer_world.md): "n+gsS", e.g. 20+1s20, or "n+gsStFbBcC".
 //   n  bits of a triangle's corner, 8..24; [-1, 1] is -G..G with G = 2^(n-2) - 1
 //   g  bits by which the ray's origin is finer than the corners, 0..3
 //   S  bits of a slope: the direction is (+-2^S, +-s_a, +-s_b) with 0 <= s <= 2^S along its major axis, 8..32
 //   F  bits of a distance T below the unit of the origin's grid, 0..8; 0 unless it is given
 //   B  1: a triangle unit gives the numbers from which the weights of the corners are made; 0 unless it is
 //   given
+//   C  what a triangle unit says of crossings, 0 unless it is given. 1: which hits are ties; 2: which hits count; both give
+//   the side too. 3: which hits are ties, and of any test which of u, v and e0 are 0, and which are inside
 #pragma once
 
 #include <cstdint>
@@ -24,21 +26,22 @@ struct WorldBits {
   static constexpr int min_slope = 8;
   static constexpr int max_slope = 32;
   static constexpr int max_fraction = 8;
+  static constexpr int max_crossings = 3;
   /// Tests use smaller formats than the program. All that is proved holds for them too.
   static constexpr int min_proved_coord = 4;
   static constexpr int min_proved_slope = 2;
 
-  int coord = 20;    ///< n
-  int finer = 1;     ///< g
-  int slope = 20;    ///< S
-  int fraction = 0;  ///< F
-  int weights = 0;   ///< B
+  int coord = 20;     ///< n
+  int finer = 1;      ///< g
+  int slope = 20;     ///< S
+  int fraction = 0;   ///< F
+  int weights = 0;    ///< B
+  int crossings = 0;  ///< C
 
-  static constexpr FormatField fields[] = {{"", "n", min_coord, max_coord},
-                                           {"+", "g", 0, max_finer},
-                                           {"s", "S", min_slope, max_slope},
-                                           {"t", "F", 1, max_fraction, nullptr, true},
-                                           {"b", "B", 1, 1, nullptr, true}};
+  static constexpr FormatField fields[] = {
+      {"", "n", min_coord, max_coord},  {"+", "g", 0, max_finer},
+      {"s", "S", min_slope, max_slope}, {"t", "F", 1, max_fraction, nullptr, true},
+      {"b", "B", 1, 1, nullptr, true},  {"c", "C", 1, max_crossings, nullptr, true}};
   static constexpr const char* type = "WorldFormat";
 
   /// Types of the values, in a domain whose values carry their widths.
@@ -60,6 +63,8 @@ struct WorldBits {
   using EdgeHigh = typename D::sint;
   template <class D>
   using EdgeLow = typename D::uint;
+  template <class D>
+  using EdgeFlags = typename D::uint;
 
   /// Width of the origin, and of its difference to a corner.
   constexpr int point() const { return coord + finer; }
@@ -98,24 +103,25 @@ struct WorldBits {
   constexpr bool proved() const {
     return coord >= min_proved_coord && coord <= max_coord && finer >= 0 && finer <= max_finer &&
            slope >= min_proved_slope && slope <= max_slope && fraction >= 0 && fraction <= max_fraction &&
-           weights >= 0 && weights <= 1;
+           weights >= 0 && weights <= 1 && crossings >= 0 && crossings <= max_crossings;
   }
   friend constexpr bool operator==(const WorldBits& a, const WorldBits& b) {
     return a.coord == b.coord && a.finer == b.finer && a.slope == b.slope && a.fraction == b.fraction &&
-           a.weights == b.weights;
+           a.weights == b.weights && a.crossings == b.crossings;
   }
 };
 
 /// The same with widths known when the code is compiled: WorldFormat<20, 1, 20> is 20+1s20.
-template <int N, int G, int S, int Fraction = 0, int Weights = 0>
+template <int N, int G, int S, int Fraction = 0, int Weights = 0, int Crossings = 0>
 struct WorldFormat {
-  static constexpr WorldBits bits{N, G, S, Fraction, Weights};
+  static constexpr WorldBits bits{N, G, S, Fraction, Weights, Crossings};
   static_assert(bits.proved(), "there is no such format n+gsS");
 
   Width<N> coord{};
   Width<G> finer{};
   Width<S> slope{};
   Width<Fraction> fraction{};
+  Width<Crossings> crossings{};
 
   template <class D>
   using Corner = typename D::template sint<N>;
@@ -135,6 +141,8 @@ struct WorldFormat {
   using EdgeHigh = typename D::template sint<bits.edge() - bits.edge() / 2>;
   template <class D>
   using EdgeLow = typename D::template uint<bits.edge() / 2>;
+  template <class D>
+  using EdgeFlags = typename D::template uint<3>;
 
   constexpr Width<bits.point()> point() const { return {}; }
   constexpr Width<bits.direction()> direction() const { return {}; }

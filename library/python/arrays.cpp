@@ -69,13 +69,50 @@ Items<hitpipe_box> boxes_of(const py::object& given, std::size_t tests, std::siz
   return items<hitpipe_box>(array, tests * per_test);
 }
 
+template <class T>
+Items<T> rows_of(const py::object& given, const std::string& what, std::size_t columns) {
+  const py::array array = array_of(given, what);
+  const py::dtype allowed = py::dtype::of<T>();
+  if (!array.dtype().equal(allowed))
+    refuse_type(array, what, py::str(py::handle(allowed)).cast<std::string>());
+  if (array.ndim() != 2 || static_cast<std::size_t>(array.shape(1)) != columns)
+    throw Refusal(what + ": shape is " + shape_text(shape_of(array)) + "; allowed is (N, " +
+                  std::to_string(columns) + ")");
+  return items<T>(array, static_cast<std::size_t>(array.shape(0)));
+}
+template Items<float> rows_of(const py::object&, const std::string&, std::size_t);
+template Items<std::uint32_t> rows_of(const py::object&, const std::string&, std::size_t);
+
 Items<std::int64_t> operands_of(const py::object& given, std::size_t ports) {
-  const py::array array = array_of(given, "operands");
-  if (!array.dtype().equal(py::dtype::of<std::int64_t>())) refuse_type(array, "operands", "int64");
-  if (array.ndim() != 2 || static_cast<std::size_t>(array.shape(1)) != ports)
-    throw Refusal("operands: shape is " + shape_text(shape_of(array)) + "; allowed is (N, " +
-                  std::to_string(ports) + ")");
-  return items<std::int64_t>(array, static_cast<std::size_t>(array.shape(0)));
+  return rows_of<std::int64_t>(given, "operands", ports);
+}
+
+Items<double> doubles_of(const py::array& array, const std::string& what, const Shape& columns) {
+  if (!array.dtype().equal(py::dtype::of<double>())) refuse_type(array, what, "float64");
+  Shape allowed = columns;
+  allowed.insert(allowed.begin(), array.ndim() > 0 ? array.shape(0) : 0);
+  if (shape_of(array) != allowed) {
+    std::string text = "(N";
+    for (const py::ssize_t length : columns) text += ", " + std::to_string(length);
+    throw Refusal(what + ": shape is " + shape_text(shape_of(array)) + "; allowed is " + text + ")");
+  }
+  return items<double>(array, static_cast<std::size_t>(array.shape(0)));
+}
+
+Items<hitpipe_node> nodes_of(const py::object& given) {
+  const py::array array = array_of(given, "nodes");
+  if (!array.dtype().equal(py::dtype::of<hitpipe_node>()) || array.ndim() != 1)
+    refuse_type(array, "nodes", "hitpipe.nodes_dtype, of shape (N,)");
+  return items<hitpipe_node>(array, static_cast<std::size_t>(array.shape(0)));
+}
+
+Items<std::uint32_t> numbers_of(const py::object& given, const std::string& what, std::size_t count) {
+  const py::array array = array_of(given, what);
+  if (!array.dtype().equal(py::dtype::of<std::uint32_t>())) refuse_type(array, what, "uint32");
+  if (shape_of(array) != Shape{static_cast<py::ssize_t>(count)})
+    throw Refusal(what + ": shape is " + shape_text(shape_of(array)) + "; allowed is (" +
+                  std::to_string(count) + ",)");
+  return items<std::uint32_t>(array, count);
 }
 
 }  // namespace hitpipe::python

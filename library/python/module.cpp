@@ -9,12 +9,14 @@ namespace hitpipe::python {
 namespace {
 
 constexpr const char* about =
-    R"(hitpipe's ray-box units in software, for arrays of numpy.
+    R"(hitpipe's ray-box units, and scenes with exact answers, for arrays of numpy.
 
 Rays are an array (N, 7) of float32: origin, direction and length; or an array (N,) of hitpipe.rays_dtype. Boxes
 are an array (N, 2, 3) of float32, the least and the largest corner; or an array (N,) of hitpipe.boxes_dtype.
-Both are in the cube [-1, 1]; a ray without an end has length inf. What is wrong with an argument is said by
-hitpipe.Error, a ValueError of one line. No number is converted: float64 is refused.)";
+Of a unit both are in the cube [-1, 1], and of a hitpipe.Scene in units of its own. A ray without an end has length
+inf. What is wrong with an argument is said by
+hitpipe.Error, a ValueError of one line. No number is converted:
+float64 is refused; hitpipe.rounded_outward() and hitpipe.to_cube() round it.)";
 
 py::array_t<bool> exact(const py::object& rays, const py::object& boxes) {
   const auto own_rays = rays_of(rays);
@@ -53,5 +55,7 @@ PYBIND11_MODULE(hitpipe, m) {
   m.def("exact", exact, py::arg("rays"), py::arg("boxes"),
         "Whether each ray and its box have a point in common, by exact arithmetic: an array (N,) of bool.");
   add_catalogue(m);
+  add_cube(m);
   add_unit(m);
+  add_scene(m);
 }

@@ -12,10 +12,11 @@
 namespace hitpipe::rtl {
 
 /// In the order of hls::Meaning.
-inline constexpr std::array<std::string_view, 21> meaning_names{
+inline constexpr std::array<std::string_view, 26> meaning_names{
     "hit",        "entry",  "exit",       "order",        "determinant",   "determinant_low", "volume",
     "volume_low", "edge_u", "edge_u_low", "edge_v",       "edge_v_low",    "error",           "axis",
-    "back",       "origin", "slope",      "mantissa_low", "mantissa_high", "exponent",        "length"};
+    "back",       "origin", "slope",      "mantissa_low", "mantissa_high", "exponent",        "length",
+    "tie",        "once",   "side",       "zero",         "inner"};
 
 /// Where HIT of the first box is among a design's results. Throws std::invalid_argument when there is none.
 [[nodiscard]] std::size_t place_of_hit(std::span<const hls::Result> results);

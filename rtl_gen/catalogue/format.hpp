@@ -16,7 +16,7 @@
 namespace hitpipe::rtl {
 
 /// What a format consists of, {20, 24} of 20/24; the rest is 0.
-using FormatNumbers = std::array<int, 6>;
+using FormatNumbers = std::array<int, 8>;
 
 struct FormatFamily {
   std::span<const hls::FormatField> fields;

@@ -156,6 +156,16 @@ std::string description(const hls::Result& result) {
       return fmt::format("power of two for both bounds, ray axis {}", result.object);
     case hls::Meaning::length:
       return fmt::format("length of the {}", result.object);
+    case hls::Meaning::tie:
+      return "1: hit at an edge or a corner";
+    case hls::Meaning::once:
+      return "1: the hit counts as a crossing";
+    case hls::Meaning::side:
+      return "1: the determinant is negative";
+    case hls::Meaning::zero:
+      return "bits of u, v, e0; 1: it is 0";
+    case hls::Meaning::inner:
+      return "likewise; 1: its sign is that of the inside";
   }
   throw std::logic_error("a result without a meaning");
 }

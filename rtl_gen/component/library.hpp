@@ -61,7 +61,12 @@ struct Chip {
   bool estimated = false;  ///< the delays
   int lut_inputs = 0;
   bool packs_registers = false;  ///< a register has the lookup table before it in its own cell, and no other
-  int register_delay_ps = 0;     ///< clock to output, the first net, and setup
+  /// A table takes all gates of a stage that its inputs suffice for. Then the tables for 100 bits below only
+  /// guide how products are cut and what operations share.
+  bool maps_tables = false;
+  bool carry_takes_logic = false;   ///< the table of an adder's bit takes the gates before it
+  int shortest_shift_register = 0;  ///< so many registers in a row are a table; 0: none are
+  int register_delay_ps = 0;        ///< clock to output, the first net, and setup
   int gate_delay_ps = 0;
   int mux_delay_ps = 0;
   int carry_delay_ps = 0;          ///< of an adder or subtractor without bits

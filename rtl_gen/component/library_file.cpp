@@ -84,6 +84,7 @@ constexpr Limits lut_inputs_limits{2, 16};
 constexpr Limits block_width_limits{2, 64};
 constexpr Limits percent_limits{0, 1000};
 constexpr Limits bit_delay_limits{0, 100'000};
+constexpr Limits shift_limits{2, 64};
 constexpr Limits luts_limits{0, 1'000'000};
 
 Block block_from(const FileJson& json, const std::string& where) {
@@ -112,25 +113,31 @@ Chip chip_from(const nlohmann::json& json, std::string_view origin) {
   const auto [gate, gate_where] = part("gate");
   const auto [mux, mux_where] = part("mux2");
   const auto [carry, carry_where] = part("carry");
-  Chip chip{.device = line_of_text(json, "device", where),
-            .estimated = truth_of(json, "estimated", where),
-            .lut_inputs = count_of(json, "lut_inputs", where, lut_inputs_limits),
-            .packs_registers = json.contains("packs_registers") && truth_of(json, "packs_registers", where),
-            .register_delay_ps = count_of(latch, "delay_ps", latch_where, delay_limits),
-            .gate_delay_ps = count_of(gate, "delay_ps", gate_where, delay_limits),
-            .mux_delay_ps = count_of(mux, "delay_ps", mux_where, delay_limits),
-            .carry_delay_ps = count_of(carry, "delay_ps", carry_where, delay_limits),
-            .compare_delay_ps =
-                count_of(carry, carry.contains("compare_delay_ps") ? "compare_delay_ps" : "delay_ps",
-                         carry_where, delay_limits),
-            .carry_delay_ps_per_bit = count_of(carry, "delay_ps_per_bit", carry_where, bit_delay_limits),
-            .subtrahend_delay_ps = carry.contains("subtrahend_delay_ps")
-                                       ? count_of(carry, "subtrahend_delay_ps", carry_where, delay_limits)
-                                       : 0,
-            .gate_luts_pct = count_of(gate, "luts_pct", gate_where, percent_limits),
-            .mux_luts_pct = count_of(mux, "luts_pct", mux_where, percent_limits),
-            .carry_luts_pct = count_of(carry, "luts_pct", carry_where, percent_limits),
-            .block = std::nullopt};
+  Chip chip{
+      .device = line_of_text(json, "device", where),
+      .estimated = truth_of(json, "estimated", where),
+      .lut_inputs = count_of(json, "lut_inputs", where, lut_inputs_limits),
+      .packs_registers = json.contains("packs_registers") && truth_of(json, "packs_registers", where),
+      .maps_tables = json.contains("maps_tables") && truth_of(json, "maps_tables", where),
+      .carry_takes_logic = carry.contains("takes_logic") && truth_of(carry, "takes_logic", carry_where),
+      .shortest_shift_register = latch.contains("shortest_shift_register")
+                                     ? count_of(latch, "shortest_shift_register", latch_where, shift_limits)
+                                     : 0,
+      .register_delay_ps = count_of(latch, "delay_ps", latch_where, delay_limits),
+      .gate_delay_ps = count_of(gate, "delay_ps", gate_where, delay_limits),
+      .mux_delay_ps = count_of(mux, "delay_ps", mux_where, delay_limits),
+      .carry_delay_ps = count_of(carry, "delay_ps", carry_where, delay_limits),
+      .compare_delay_ps =
+          count_of(carry, carry.contains("compare_delay_ps") ? "compare_delay_ps" : "delay_ps", carry_where,
+                   delay_limits),
+      .carry_delay_ps_per_bit = count_of(carry, "delay_ps_per_bit", carry_where, bit_delay_limits),
+      .subtrahend_delay_ps = carry.contains("subtrahend_delay_ps")
+                                 ? count_of(carry, "subtrahend_delay_ps", carry_where, delay_limits)
+                                 : 0,
+      .gate_luts_pct = count_of(gate, "luts_pct", gate_where, percent_limits),
+      .mux_luts_pct = count_of(mux, "luts_pct", mux_where, percent_limits),
+      .carry_luts_pct = count_of(carry, "luts_pct", carry_where, percent_limits),
+      .block = std::nullopt};
   if (json.contains("block")) chip.block = block_from(json.at("block"), where + ": block");
   return chip;
 }

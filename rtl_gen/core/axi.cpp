@@ -12,6 +12,7 @@
 
 #include "hls/machines/beats.hpp"
 #include "hls/machines/registers.hpp"
+#include "rtl_gen/core/axi_rings.hpp"
 #include "rtl_gen/core/identity.hpp"
 #include "rtl_gen/machine/module.hpp"
 
@@ -63,10 +64,10 @@ struct Around {
 std::vector<Around> machines_around(const Core& core) {
   const CoreOptions& options = core.options;
   std::vector<Around> machines;
-  machines.emplace_back(
-      core, "registers",
-      hls::RegisterBits{options.address_bits, options.byte_bits, options.ray_bits(), counter_bits});
-  if (options.has_one_id())
+  machines.emplace_back(core, "registers",
+                        hls::RegisterBits{options.address_bits, options.byte_bits, options.ray_bits(),
+                                          counter_bits, options.has_cache() ? 1 : 0, options.rings ? 1 : 0});
+  if (options.has_one_id() && !options.has_cache())
     machines.emplace_back(core, "beats", hls::BeatBits{options.data_bits, options.ray_bits()});
   return machines;
 }
@@ -95,8 +96,12 @@ ModuleInterface interface_of(const Core& core) {
   add("s_axi_b", false, {{"resp", 2}});
   add("s_axi_ar", true, {{"addr", 8}});
   add("s_axi_r", false, {{"data", 32}, {"resp", 2}});
-  add("s_axis_ray_t", true, {{"data", stream_bits(ray_ports(core))}, {"id", tag}});
-  add("m_axis_hit_t", false, {{"data", stream_bits(hit_ports(core))}, {"id", tag}});
+  if (core.options.rings) {
+    for (Pin& pin : ring_pins(core)) made.pins.push_back(std::move(pin));
+  } else {
+    add("s_axis_ray_t", true, {{"data", stream_bits(ray_ports(core))}, {"id", tag}});
+    add("m_axis_hit_t", false, {{"data", stream_bits(hit_ports(core))}, {"id", tag}});
+  }
   add("m_axi_ar", false,
       with_ids({{"addr", core.options.byte_bits},
                 {"len", 8},
@@ -114,30 +119,37 @@ class Connections {
  public:
   /// `bits` are those of the beat of a ray, for each of its fields.
   Connections(const Core& core, const std::vector<Port>& fields, const std::vector<std::string>& bits) {
-    const bool has_one_id = core.options.has_one_id();
-    for (std::size_t i = 0; i < fields.size(); ++i) ends_["ray_" + fields[i].name] = bits[i];
-    for (const auto& [port, pin] :
-         std::vector<std::pair<const char*, const char*>>{{"clk", axi_clock},
-                                                          {"rst", "~aresetn"},
-                                                          {"ray_valid", "s_axis_ray_tvalid"},
-                                                          {"ray_ready", "s_axis_ray_tready"},
-                                                          {"ray_tag", "s_axis_ray_tid"},
-                                                          {"hit_valid", "m_axis_hit_tvalid"},
-                                                          {"hit_ready", "m_axis_hit_tready"},
-                                                          {"hit_tag", "m_axis_hit_tid"},
-                                                          {"request_valid", "m_axi_arvalid"},
-                                                          {"request_ready", "m_axi_arready"},
-                                                          {"request_address", "m_axi_araddr"},
-                                                          {"request_upper", "m_axi_araddr[5]"},
-                                                          {"beat_valid", "m_axi_rvalid"},
-                                                          {"beat_error", "m_axi_rresp[1]"},
-                                                          {"beat_ready", "m_axi_rready"}})
+    const bool has_one_id = core.options.has_one_id(), has_cache = core.options.has_cache();
+    if (core.options.rings)
+      ends_ = ring_ends();
+    else
+      ends_.insert({{"ray_valid", "s_axis_ray_tvalid"},
+                    {"ray_ready", "s_axis_ray_tready"},
+                    {"ray_tag", "s_axis_ray_tid"},
+                    {"hit_valid", "m_axis_hit_tvalid"},
+                    {"hit_ready", "m_axis_hit_tready"},
+                    {"hit_tag", "m_axis_hit_tid"}});
+    for (std::size_t i = 0; i < bits.size(); ++i) ends_["ray_" + fields[i].name] = bits[i];
+    for (const auto& [port, pin] : std::vector<std::pair<const char*, const char*>>{
+             {"clk", axi_clock},
+             {"rst", "~aresetn"},
+             {"request_valid", "m_axi_arvalid"},
+             {"request_ready", "m_axi_arready"},
+             {"request_address", "m_axi_araddr"},
+             {"request_upper", "m_axi_araddr[5]"},
+             {"beat_valid", has_one_id ? "m_axi_rvalid" : "beat_valid"},
+             {"beat_error", "m_axi_rresp[1]"},
+             {"beat_ready", "m_axi_rready"}})
       ends_[port] = pin;
     for (int i = 0; i < 8; ++i)
-      ends_[fmt::format("{}_{}", has_one_id ? "beat" : "read_word", i)] =
+      ends_[fmt::format("{}_{}", has_one_id || has_cache ? "beat" : "read_word", i)] =
           fmt::format("m_axi_rdata[{}:{}]", 64 * i + 63, 64 * i);
-    if (!has_one_id) {
-      ends_["read_id"] = fmt::format("m_axi_rid[{}:0]", core.pin(channels::read_id).width - 1);
+    const std::string id = fmt::format("m_axi_rid[{}:0]", core.pin(channels::request_id).width - 1);
+    if (has_cache) {
+      ends_["beat_id"] = id;
+      ends_["line_asked"] = "m_axi_arvalid & m_axi_arready";
+    } else if (!has_one_id) {
+      ends_["read_id"] = id;
       ends_["read_error"] = "m_axi_rresp[1]";
     }
     const CoreIdentity identity = identity_of(core.options);
@@ -174,12 +186,14 @@ constexpr std::string_view gates = R"(
   assign s_axis_ray_tready = core_ray_ready & lets_rays;
   assign m_axis_hit_tvalid = core_hit_valid & lets_answers;
   assign core_hit_ready = m_axis_hit_tready & lets_answers;
-  assign m_axi_arvalid = core_request_valid & lets_requests;
+)";
+/// Without a cache. A cache asks for all lines that its rays want.
+constexpr std::string_view gate_of_requests = R"(  assign m_axi_arvalid = core_request_valid & lets_requests;
   assign core_request_ready = m_axi_arready & lets_requests;
 )";
 
 /// {0}: the highest bit of an epoch, {1}: how many bits it has, {2} and {3}: its lowest and its highest bit in an
-/// identifier.
+/// identifier, {4}: what is valid then.
 constexpr const char* with_identifiers = R"(
   // A reset may come while reads are on their way. What they give has the epoch before, and is dropped.
   reg [{0}:0] epoch;
@@ -193,9 +207,9 @@ constexpr const char* with_identifiers = R"(
     if (~aresetn & ~was_reset) epoch <= epoch + {1}'d1;
   end
   assign m_axi_arid = {{epoch, request_id}};
-  assign read_valid = m_axi_rvalid & m_axi_rid[{3}:{2}] == epoch;
-  assign m_axi_rready = 1'b1;  // a block is taken at once
+  assign {4} = m_axi_rvalid & m_axi_rid[{3}:{2}] == epoch;
 )";
+constexpr std::string_view takes_all = "  assign m_axi_rready = 1'b1;  // a block is taken at once\n";
 
 /// The fields of a word, the high ones first, with zeros between.
 std::string joined(const std::vector<Port>& ports, std::string_view before) {
@@ -220,63 +234,102 @@ std::vector<MachineGraph> axi_machines(const Core& core) {
   return graphs;
 }
 std::vector<Port> ray_ports(const Core& core) {
-  return ports_of(core, "ray_");
+  return core.options.rings ? ring_ray_ports(core) : ports_of(core, "ray_");
 }
 std::vector<Port> hit_ports(const Core& core) {
-  return ports_of(core, "hit_");
+  return core.options.rings ? ring_hit_ports(core) : ports_of(core, "hit_");
+}
+std::vector<StreamField> ray_fields(const Core& core) {
+  return core.options.rings ? ring_ray_fields(core) : stream_fields(ray_ports(core));
+}
+std::vector<StreamField> hit_fields(const Core& core) {
+  return core.options.rings ? ring_hit_fields(core) : stream_fields(hit_ports(core));
+}
+int ray_bytes(const Core& core) {
+  return core.options.rings ? ring_ray_bytes : stream_bits(ray_ports(core)) / 8;
+}
+int hit_bytes(const Core& core) {
+  return core.options.rings ? ring_hit_bytes : stream_bits(hit_ports(core)) / 8;
 }
 
 std::string axi_verilog(const Core& core) {
   const CoreOptions& options = core.options;
   const std::vector<Around> machines = machines_around(core);
-  const BeatText ray(ray_ports(core), "s_axis_ray_tdata"), hit(hit_ports(core), "m_axis_hit_tdata");
+  const BeatText ray(ray_fields(core), "s_axis_ray_tdata"), hit(hit_fields(core), "m_axis_hit_tdata");
   const Connections connections(core, ray_ports(core), ray.bits);
   std::string wires;
   const auto wire = [&](const std::string& name, int width) {
     wires += fmt::format("  wire {}{};\n", vector_range(width), name);
   };
-  for (const Port& port : hit_ports(core)) wire("hit_" + port.name, port.width);
+  for (const Port& port : hit_ports(core))
+    if (!options.rings || port.name != "t") wire("hit_" + port.name, port.width);
   const auto join = [&]<auto... Fields>(hls::List<Fields...>) {
     (wire(Fields.name(), core.pin(Fields).width), ...);
   };
   join(channels::Settings::Items());
-  for (const char* const gate :
-       {"lets_rays", "lets_requests", "lets_answers", "resets", "core_ray_valid", "core_ray_ready",
-        "core_hit_valid", "core_hit_ready", "core_request_valid", "core_request_ready"})
-    wire(gate, 1);
+  for (const char* const gate : {"lets_rays", "lets_requests", "lets_answers", "resets"}) wire(gate, 1);
+  const bool has_cache = options.has_cache();
+  Connections::Ends of_core{{"rst", "~aresetn | resets"}};
+  Connections::Ends of_registers;
+  if (options.rings) {
+    join(hls::Join<hls::List<channels::rays_at, channels::answers_at, channels::ring_last,
+                             channels::rays_offered, hls::rings::fetch_four, hls::rings::store_four,
+                             channels::Hits::valid, channels::Hits::ready>,
+                   channels::RingState>::Items());
+    of_registers = {{"ray_valid", channels::ray_begins.name()}, {"ray_ready", "1'b1"}};
+  } else {
+    for (const char* const end : {"ray_valid", "ray_ready", "hit_valid", "hit_ready"}) {
+      of_core[end] = fmt::format("core_{}", end);
+      wire(of_core[end], 1);
+    }
+  }
+  if (has_cache) {
+    join(channels::CacheEvents::Items());
+    join(hls::List<channels::most_lines, channels::empties_cache, channels::asks, channels::granted,
+                   channels::asks_triangle, channels::read_valid, channels::read_error>());
+    of_core["lets_asks"] = "lets_requests";
+    // To the registers a cache is the memory.
+    of_registers.insert({{"request_valid", "asks"},
+                         {"request_ready", "granted"},
+                         {"request_id", fmt::format("{{asks_triangle, {}'d0}}", options.ray_bits())}});
+  } else {
+    wire("core_request_valid", 1);
+    wire("core_request_ready", 1);
+    of_core["request_valid"] = "core_request_valid";
+    of_core["request_ready"] = "core_request_ready";
+  }
   const int id_bits = core.pin(channels::request_id).width;
   wire(channels::request_id.name(), id_bits);
-  std::string instances = connections.instance(core.interface(), "core_i",
-                                               {{"rst", "~aresetn | resets"},
-                                                {"ray_valid", "core_ray_valid"},
-                                                {"ray_ready", "core_ray_ready"},
-                                                {"hit_valid", "core_hit_valid"},
-                                                {"hit_ready", "core_hit_ready"},
-                                                {"request_valid", "core_request_valid"},
-                                                {"request_ready", "core_request_ready"}});
+  std::string instances = connections.instance(core.interface(), "core_i", of_core);
   std::string modules;
   for (const Around& machine : machines) {
-    instances += connections.instance(machine.interface, machine.name + "_i");
+    instances += connections.instance(machine.interface, machine.name + "_i",
+                                      machine.name == "registers" ? of_registers : Connections::Ends());
     modules += (modules.empty() ? "" : "\n") + machine.verilog;
   }
-  std::string between(gates);
-  if (options.has_one_id()) {
-    join(channels::BlockRead::Items());
+  std::string between(options.rings ? ring_assignments(core) : std::string(gates));
+  if (!has_cache) between += gate_of_requests;
+  std::vector<std::string> unused = options.rings ? ring_unused() : ray.padding;
+  if (!options.has_one_id()) {
+    const std::string_view valid = has_cache ? channels::beat_valid.name() : channels::read_valid.name();
+    wire(std::string(valid), 1);
+    between +=
+        fmt::format(with_identifiers, epoch_bits - 1, epoch_bits, id_bits, id_bits + epoch_bits - 1, valid);
+    if (!has_cache) between += takes_all;
+  } else if (has_cache) {
+    unused.push_back(channels::request_id.name());
   } else {
-    wire(channels::read_valid.name(), 1);
-    between += fmt::format(with_identifiers, epoch_bits - 1, epoch_bits, id_bits, id_bits + epoch_bits - 1);
+    join(channels::BlockRead::Items());
   }
-  std::vector<std::string> unused = ray.padding;
   unused.insert(unused.end(), {"m_axi_rresp[0]", "m_axi_rlast"});
   return fmt::format(
-             R"(// The core {0} behind AXI: rays and answers by AXI4-Stream, registers by AXI4-Lite, blocks by AXI4.
-// Fields of s_axis_ray_tdata:
-{1}// Fields of m_axis_hit_tdata:
+             R"(// The core {0} behind AXI: rays and answers by {13}, registers by AXI4-Lite, blocks by AXI4.
+// Fields of {14}:
+{1}// Fields of {15}:
 {2}// Generated by hitpipe; do not edit.
 {3}{4}
 {5}
-  assign m_axis_hit_tdata = {6};
-  // A block has 32 bytes and is aligned to 32.
+{6}  // A {11} has {12} bytes and is aligned to {12}.
   assign m_axi_arlen = 8'd{7};
   assign m_axi_arsize = 3'd{8};
   assign m_axi_arburst = 2'd1;
@@ -290,26 +343,35 @@ endmodule
 
 )",
              core.module, ray.layout, hit.layout, interface_of(core).head(), wires, instances,
-             joined(hit_ports(core), "hit_"), options.beats() - 1,
-             hls::count_bits(CoreOptions::block_bits / options.beats() / 8), between,
-             fmt::join(unused, ", ")) +
+             options.rings
+                 ? ""
+                 : fmt::format("  assign m_axis_hit_tdata = {};\n", joined(hit_ports(core), "hit_")),
+             options.beats() - 1, hls::count_bits(options.burst_bits() / options.beats() / 8), between,
+             fmt::join(unused, ", "), has_cache ? "line" : "block", options.burst_bits() / 8,
+             options.rings ? "rings in memory" : "AXI4-Stream",
+             options.rings ? fmt::format("a ray, with the tag from bit {} on", 8 * ring_ray_tag_at)
+                           : "s_axis_ray_tdata",
+             options.rings ? fmt::format("an answer, with the tag from bit {} on", 8 * ring_hit_tag_at)
+                           : "m_axis_hit_tdata") +
          modules + "/* verilator lint_on DECLFILENAME */\n";
 }
 
 Json axi_json(const Core& core) {
-  const auto side = [](const std::vector<Port>& ports) {
+  const auto side = [](const std::vector<StreamField>& all, int bytes) {
     Json fields = Json::array();
-    for (const StreamField& field : stream_fields(ports))
+    for (const StreamField& field : all)
       fields.push_back({{"name", field.name}, {"offset", field.offset}, {"width", field.width}});
-    return Json{{"tdata_bits", stream_bits(ports)}, {"fields", fields}};
+    return Json{{"tdata_bits", 8 * bytes}, {"fields", fields}};
   };
-  return {{"module", axi_module(core)},
-          {"verilog", axi_module(core) + ".v"},
-          {"header", core.module + ".h"},
-          {"data_bits", core.options.data_bits},
-          {"has_one_id", core.options.has_one_id()},
-          {"s_axis_ray", side(ray_ports(core))},
-          {"m_axis_hit", side(hit_ports(core))}};
+  Json json{{"module", axi_module(core)},
+            {"verilog", axi_module(core) + ".v"},
+            {"header", core.module + ".h"},
+            {"data_bits", core.options.data_bits},
+            {"has_one_id", core.options.has_one_id()}};
+  if (core.options.rings) json["ring_bits"] = core.options.ring_bits();
+  json["s_axis_ray"] = side(ray_fields(core), ray_bytes(core));
+  json["m_axis_hit"] = side(hit_fields(core), hit_bytes(core));
+  return json;
 }
 
 }  // namespace hitpipe::rtl

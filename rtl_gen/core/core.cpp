@@ -3,59 +3,31 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "hls/machines/best_hits.hpp"
+#include "hls/machines/cache.hpp"
 #include "hls/machines/door.hpp"
 #include "hls/machines/pair_feed.hpp"
 #include "hls/machines/reader.hpp"
 #include "hls/machines/replies.hpp"
 #include "hls/machines/requests.hpp"
+#include "hls/machines/rings.hpp"
 #include "hls/machines/walk_format.hpp"
 #include "hls/machines/weights.hpp"
 #include "hls/world/core_format.hpp"
-#include "rtl_gen/core/block_rams.hpp"
+#include "rtl_gen/core/core_options.hpp"
 #include "rtl_gen/core/wires.hpp"
 #include "rtl_gen/machine/module.hpp"
-#include "rtl_gen/verilog/module.hpp"
 
 namespace hitpipe::rtl {
 
 namespace {
-
-void check(const CoreOptions& options) {
-  const auto within = [](const char* what, int value, int least, int most) {
-    if (value < least || value > most)
-      throw std::runtime_error(fmt::format("{} {}: allowed is {} to {}", what, value, least, most));
-  };
-  if (!options.bits.valid())
-    throw std::runtime_error(fmt::format("core: there is no format {}; allowed is {}",
-                                         to_string(Format(options.bits)),
-                                         Format(options.bits).family().allowed()));
-  within("rays in flight", options.rays, 1, CoreOptions::most_rays);
-  within("bits of places on a stack", options.stack_bits, 1, 6);
-  within("levels", options.levels, 2, CoreOptions::most_levels);
-  within("bits of a block's number", options.address_bits, 4, 32);
-  within("bits of an address", options.byte_bits, options.address_bits + 5, 64);
-  within("block RAMs", options.block_rams, 0, CoreOptions::most_block_rams);
-  within("bits of a tag", options.tag_bits, 1, 64);
-  if (options.data_bits < 64 || options.data_bits > 512 || (options.data_bits & (options.data_bits - 1)) != 0)
-    throw std::runtime_error(
-        fmt::format("bits of the memory bus {}: allowed is 64, 128, 256, 512", options.data_bits));
-  if (options.serial() && options.weights)
-    throw std::runtime_error(
-        "weights of the corners: allowed with a triangle unit, not with the serial test");
-  if (!options.serial())
-    within("cycles from triangle to triangle", options.triangle_interval,
-           CoreOptions::least_triangle_interval, 64);
-}
 
 std::string module_of(const Core& core, std::string_view part) {
   return fmt::format("{}_{}", core.module, part);
@@ -84,6 +56,10 @@ class Units {
   std::map<Key, Pipeline> made_;
 };
 
+bool is_one_of(std::span<const std::string_view> names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 class Maker {
  public:
   Maker(const CoreOptions& options, Units& units, const std::string& module)
@@ -96,37 +72,58 @@ class Maker {
     const int ray = options.ray_bits();
     const int address = options.address_bits;
     const int t = bits.distance(), box = bits.boxes().length();
-    add_machine("door", hls::DoorBits{t, ray});
+    const int questions = options.questions ? 1 : 0;
+    add_machine("door", hls::DoorBits{t, ray, questions});
     add_machine("walker", hls::WalkBits{box, address, options.levels, options.stack_bits, ray});
-    add_machine("reader", hls::ReaderBits{address, ray});
-    add_machine("requests", hls::RequestBits{address, options.byte_bits, ray});
+    add_machine("reader", hls::ReaderBits{address, ray, questions});
+    if (options.has_cache())
+      add_machine("cache", cache_bits(options));
+    else
+      add_machine("requests", hls::RequestBits{address, options.byte_bits, ray});
     add_machine("pair_feed",
                 hls::PairFeedBits{bits.coord, bits.finer, bits.mantissa, bits.box_fraction, address, ray});
-    const hls::CoreBits triangles{bits.world(), ray};
+    hls::CoreBits triangles{bits.world(), ray};
+    triangles.crossings = options.questions ? 3 : 0;
     if (options.serial()) {
       add_machine("serial_triangle", triangles);
     } else {
       add_machine("triangle_feed", triangles);
       add_machine("divider", triangles);
+      if (options.questions) add_machine("ties", triangles);
     }
-    add_machine("best_hits", hls::BestBits{t, bits.finer + bits.fraction - bits.box_fraction, box, ray});
+    add_machine("best_hits",
+                hls::BestBits{t, bits.finer + bits.fraction - bits.box_fraction, box, ray, questions});
     add_machine("replies", hls::ReplyBits{t, options.tag_bits, ray});
     hls::WorldBits tests = bits.world();
     tests.weights = options.weights ? 1 : 0;
+    tests.crossings = triangles.crossings;
     if (options.weights)
       add_machine(pins::weights_part,
                   hls::WeightBits{tests.determinant(), tests.edge(), t, options.tag_bits, ray});
+    if (options.rings)
+      add_machine(pins::rings_part,
+                  hls::RingBits{options.byte_bits, options.tag_bits, t, options.ring_bits()});
     add_unit("pair", "int_major_pair", bits.boxes(), 1);
     if (!options.serial()) add_unit("triangle", "int_triangle", tests, options.triangle_interval);
     if (options.door == Door::binary32) add_ray_unit();
 
     join_all(links::core);
+    if (options.has_cache()) {
+      join_all(links::cache);
+    } else {
+      join_all(links::requests);
+    }
     join_unit("pair_feed", "pair", {"walker"});
     if (options.serial()) {
       join_all(links::serial_triangle);
+      if (options.has_cache()) join_all(links::cache_to_serial);
     } else {
       join_all(links::triangle_unit);
-      join_unit("triangle_feed", "triangle", {"reader", "divider"});
+      if (options.has_cache()) join_all(links::cache_to_unit);
+      if (options.questions)
+        join_with_ties();
+      else
+        join_unit("triangle_feed", "triangle", {"reader", "divider"});
     }
     if (options.weights) {
       join_all(links::answers_with_weights);
@@ -134,13 +131,29 @@ class Maker {
     } else {
       join_all(links::plain_answers);
     }
-    for (CorePin pin : pins::core) {
+    if (options.rings) {
+      join_all(links::answers_to_rings);
+      // A bus of 64 bits has no second word.
+      for (const CorePin& pin : pins::rings)
+        if ((!pin.from.empty() && pin.from != pins::rings_part) ||
+            find_pin(core_.part(pins::rings_part), pin.name))
+          add_port(pin);
+    }
+    for (CorePin pin : pins::rays) {
+      if (options.rings) break;
       if (options.door != Door::integer && pin.name.starts_with("ray_")) continue;
+      if (!options.questions && is_one_of(pins::question_names, pin.name)) continue;
       if (options.weights && pin.from == "replies") pin.from = pins::weights_part;
       add_port(pin);
     }
-    if (options.weights)
-      for (const CorePin& pin : pins::weights) add_port(pin);
+    if (options.has_cache()) {
+      for (const CorePin& pin : pins::lines)
+        if (!pin.from.empty() || find_pin(core_.part("cache"), pin.name)) add_port(pin);
+    } else {
+      add_ports(pins::blocks);
+    }
+    add_ports(pins::settings);
+    if (options.weights) add_ports(pins::weights);
     for (const Part& part : core_.parts)
       for (const Pin& pin : part.interface.pins)
         if (pin.is_input && pin.role != Pin::Role::clock && pin.role != Pin::Role::reset &&
@@ -169,6 +182,25 @@ class Maker {
     core_.parts.push_back(std::move(part));
   }
 
+  /// Hits go through the machine `ties`. The unit passes on which test of a triangle it is.
+  void join_with_ties() {
+    std::vector<Pin> pins;
+    for (const Pin& pin : core_.parts[place_of("triangle")].interface.pins) {
+      pins.push_back(pin);
+      if (pin.role != Pin::Role::tag) continue;
+      for (const TestPin& more : test_pins)
+        pins.push_back({std::string(pin.is_input ? more.in : more.out), Pin::Role::tag, pin.channel,
+                        pin.is_input, more.width});
+    }
+    core_.parts[place_of("triangle")].interface.pins = std::move(pins);
+    join_unit("triangle_feed", "triangle", {"ties"});
+    for (const TestPin& pin : test_pins) {
+      join({"triangle_feed", pin.given, "triangle", pin.in});
+      join({"triangle", pin.out, "ties", pin.taken});
+    }
+    join_all(links::questions);
+  }
+
   /// It waits for the door.
   void add_ray_unit() {
     add_unit("ray", "int_ray", core_.options.bits, CoreOptions::door_interval, FlowControl::stall);
@@ -177,8 +209,16 @@ class Maker {
     for (Pin& pin : unit.interface.pins) {
       if (pin.role == Pin::Role::tag) pin.width = core_.options.tag_bits;
       pins.push_back(pin);
-      if (pin.role == Pin::Role::tag)
-        pins.push_back({pin.is_input ? "in_any" : "out_any", Pin::Role::tag, pin.channel, pin.is_input});
+      if (pin.role != Pin::Role::tag) continue;
+      const auto pass = [&](const char* what, int width) {
+        pins.push_back({fmt::format("{}_{}", pin.is_input ? "in" : "out", what), Pin::Role::tag, pin.channel,
+                        pin.is_input, width});
+      };
+      pass("any", 1);
+      if (!core_.options.questions) continue;
+      pass("once", 1);
+      pass("from_t", core_.options.bits.distance());
+      pass("from_number", hls::triangle_number_bits);
     }
     unit.interface.pins = std::move(pins);
 
@@ -190,13 +230,30 @@ class Maker {
       const std::string input =
           named != ray_unit_results.end() ? std::string(named->input) : fmt::format("ray_{}", pin.name);
       for (const Part& part : core_.parts)
-        if (part.machine != nullptr && find_pin(part, input)) join({"ray", pin.name, part.name, input});
+        if (part.machine != nullptr && part.name != pins::rings_part && find_pin(part, input))
+          join({"ray", pin.name, part.name, input});
+    }
+    if (core_.options.rings) {
+      join_rings(unit);
+      return;
     }
     const std::size_t place = place_of("ray");
     for (const RayPin& pin : ray_unit_pins)
       add_port(std::string(pin.name), pin.comment, {{place, pin_place(unit, pin.pin)}});
+    for (const RayPin& pin : ray_question_pins)
+      if (core_.options.questions)
+        add_port(std::string(pin.name), pin.comment, {{place, pin_place(unit, pin.pin)}});
     for (const Port& operand : unit.design->ports(unit.format))
       add_port("ray_" + operand.name, description(operand), {{place, pin_place(unit, operand.name)}});
+  }
+  /// The unit `ray` takes rays from the rings.
+  void join_rings(const Part& unit) {
+    join({"ray", "in_ready", pins::rings_part, hls::rings::ray_taken.name()});
+    for (const RayPin& pin : ray_unit_pins)
+      if (find_pin(core_.part(pins::rings_part), pin.name))
+        join({pins::rings_part, pin.name, "ray", pin.pin});
+    for (const Port& operand : unit.design->ports(unit.format))
+      join({pins::rings_part, "ray_" + operand.name, "ray", operand.name});
   }
 
   [[nodiscard]] std::size_t place_of(std::string_view name) const {
@@ -267,12 +324,15 @@ class Maker {
       if (find_pin(core_.part(taker), result.name)) join({unit, result.name, taker, result.name});
   }
 
+  void add_ports(std::span<const CorePin> pins) {
+    for (const CorePin& pin : pins) add_port(pin);
+  }
   void add_port(const CorePin& of) {
     std::vector<CorePort::End> ends;
     for (std::size_t i = 0; i < core_.parts.size(); ++i) {
       const Part& part = core_.parts[i];
       if (part.machine == nullptr || (!of.from.empty() && part.name != of.from)) continue;
-      const std::optional<std::size_t> pin = find_pin(part, of.name);
+      const std::optional<std::size_t> pin = find_pin(part, of.of.empty() ? of.name : of.of);
       if (pin && part.interface.pins[*pin].is_input == of.from.empty() && !is_driven(i, *pin))
         ends.push_back({i, *pin});
     }
@@ -296,82 +356,7 @@ class Maker {
   Units& units_;
 };
 
-/// "walker_goes": the wire of an output. A pin of the core has its own name.
-class Nets {
- public:
-  explicit Nets(const Core& core) : core_(core) {}
-
-  [[nodiscard]] std::string declarations() const {
-    std::string text;
-    for (const Part& part : core_.parts)
-      for (const Pin& pin : part.interface.pins)
-        if (!pin.is_input) text += fmt::format("  wire {}{};\n", vector_range(pin.width), net(part, pin));
-    return text;
-  }
-  [[nodiscard]] std::string instance(std::size_t place) const {
-    const Part& part = core_.parts[place];
-    const std::vector<Pin>& pins = part.interface.pins;
-    const auto wire = [&](const Pin& pin) {
-      return pin.is_input ? source(place, static_cast<std::size_t>(&pin - pins.data())) : net(part, pin);
-    };
-    std::vector<std::string> connections;
-    int tag_bits = 0;
-    for (const bool is_input : {true, false}) {
-      std::vector<std::string> tags;  // the last is above
-      tag_bits = 0;
-      for (const Pin& pin : pins) {
-        if (pin.role != Pin::Role::tag || pin.is_input != is_input) continue;
-        tags.insert(tags.begin(), wire(pin));
-        tag_bits += pin.width;
-      }
-      if (!tags.empty())
-        connections.push_back(
-            fmt::format("    .{}({{{}}})", is_input ? "in_tag" : "out_tag", fmt::join(tags, ", ")));
-    }
-    for (const Pin& pin : pins)
-      if (pin.role != Pin::Role::tag) connections.push_back(fmt::format("    .{}({})", pin.name, wire(pin)));
-    const std::string parameters = tag_bits == 0 ? "" : fmt::format(" #(.TAG_BITS({}))", tag_bits);
-    return fmt::format("  {}{} {} (\n{}\n  );\n", part.interface.module, parameters, part.name,
-                       fmt::join(connections, ",\n"));
-  }
-  [[nodiscard]] std::string outputs() const {
-    std::string text;
-    for (const CorePort& port : core_.ports)
-      if (!port.pin.is_input) {
-        const Part& part = core_.parts[port.ends.front().part];
-        text += fmt::format("  assign {} = {};\n", port.pin.name,
-                            net(part, part.interface.pins[port.ends.front().pin]));
-      }
-    return text;
-  }
-
- private:
-  static std::string net(const Part& part, const Pin& pin) {
-    return fmt::format("{}_{}", part.name, pin.name);
-  }
-  [[nodiscard]] std::string source(std::size_t part, std::size_t pin) const {
-    for (const CoreWire& wire : core_.wires)
-      if (wire.to == part && wire.input == pin)
-        return net(core_.parts[wire.from], core_.parts[wire.from].interface.pins[wire.output]);
-    for (const CorePort& port : core_.ports)
-      for (const CorePort::End& end : port.ends)
-        if (end.part == part && end.pin == pin) return port.pin.name;
-    return core_.parts[part].interface.pins[pin].name;  // clk and rst
-  }
-
-  const Core& core_;
-};
-
 }  // namespace
-
-int CoreOptions::ray_bits() const {
-  return std::max(1, hls::count_bits(rays));
-}
-
-std::string CoreOptions::module() const {
-  const std::string name = "hitpipe_core";
-  return bits == CoreOptions{}.bits ? name : fmt::format("{}_{}", name, Format(bits).identifier());
-}
 
 const Part& Core::part(std::string_view name) const {
   const auto found =
@@ -406,28 +391,13 @@ Core make_core(const CoreOptions& options, const Library& library, const std::st
 
 std::vector<Core> make_cores(std::span<const CoreOptions> options, const Library& library,
                              const std::string& module) {
-  for (const CoreOptions& each : options) check(each);
+  for (const CoreOptions& each : options) check_core_options(each);
   Units units(library);
   std::vector<Core> cores;
   cores.reserve(options.size());
   for (const CoreOptions& each : options)
     cores.push_back(Maker(each, units, module.empty() ? each.module() : module).made());
   return cores;
-}
-
-std::string to_verilog(const Core& core, const Library& library) {
-  const Nets nets(core);
-  std::string text = fmt::format(
-      "// {} {}: a ray-tracing core, {} rays in flight. Clock of {} ps with the components of {}.\n"
-      "// A reset empties it. Generated by hitpipe; do not edit.\n{}\n{}\n",
-      core.module, to_string(Format(core.options.bits)), core.options.rays, core.clock_ps, library.name(),
-      core.interface().head(), nets.declarations());
-  for (std::size_t i = 0; i < core.parts.size(); ++i) text += nets.instance(i) + "\n";
-  text += nets.outputs() + "endmodule\n";
-  text += "\n/* verilator lint_off DECLFILENAME */\n";
-  auto marked = in_block_rams(core, core.options.block_rams);
-  for (const Part& part : core.parts) text += "\n" + to_verilog(part, library, marked[part.name]);
-  return text + "/* verilator lint_on DECLFILENAME */\n";
 }
 
 }  // namespace hitpipe::rtl

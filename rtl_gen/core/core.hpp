@@ -30,8 +30,9 @@ struct CoreOptions {
   static constexpr int most_levels = 60;
   static constexpr int most_block_rams = 1000;
   static constexpr int least_triangle_interval = 3;  ///< triangle_feed begins no more tests
-  static constexpr int block_bits = 256;             ///< what a request reads
-  static constexpr int door_interval = 8;            ///< cycles from ray to ray of an int_ray in a core
+  static constexpr int block_bits = 256;             ///< of a record or a triangle
+  static constexpr int most_cache_kib = 64;
+  static constexpr int door_interval = 8;  ///< cycles from ray to ray of an int_ray in a core
 
   hls::RayBits bits{};       ///< rays, boxes and triangles
   int rays = 32;             ///< in flight, 1..256
@@ -44,18 +45,29 @@ struct CoreOptions {
   /// in some hundred cycles each.
   int triangle_interval = 4;
   Door door = Door::integer;
+  /// Rays come from a ring in memory, and answers go to another; with floats at the door, and without weights.
+  bool rings = false;
   bool weights = false;           ///< answers say where in its triangle a ray hits; with a triangle unit only
+  bool questions = false;         ///< rays may want crossings: count and next; with a triangle unit only
   int data_bits = 256;            ///< of the AXI bus to memory: 64, 128, 256, 512
   bool in_order = false;          ///< all requests on this bus have one identifier
   std::optional<int> clock_ps{};  ///< of the units; else that of the slowest machine
+  int cache_kib = 0;              ///< of a cache in front of memory: 0 for none, or a power of two, 2..64
+  int cache_line = 64;            ///< bytes: 32, 64
+  int cache_ways = 8;             ///< 4, 8
   int block_rams = 0;  ///< the Verilog marks memories for so many block RAMs of 16 bits (block_rams.hpp)
 
+  static constexpr int most_ring_bits = 128;  ///< of the bus to the rings
+  [[nodiscard]] int ring_bits() const { return data_bits < most_ring_bits ? data_bits : most_ring_bits; }
   [[nodiscard]] bool serial() const { return triangle_interval == 0; }
+  [[nodiscard]] bool has_cache() const { return cache_kib != 0; }
+  /// What a request reads.
+  [[nodiscard]] int burst_bits() const { return has_cache() ? 8 * cache_line : block_bits; }
 
   /// A bus of another width than a block's is one with one identifier.
   [[nodiscard]] bool has_one_id() const { return in_order || data_bits != block_bits; }
-  /// Cycles in which this bus carries a block; the widest has room for two blocks.
-  [[nodiscard]] int beats() const { return data_bits < block_bits ? block_bits / data_bits : 1; }
+  /// Beats in which this bus carries what a request reads; the widest has room for two blocks.
+  [[nodiscard]] int beats() const { return data_bits < burst_bits() ? burst_bits() / data_bits : 1; }
 
   /// Bits of a ray's number.
   [[nodiscard]] int ray_bits() const;

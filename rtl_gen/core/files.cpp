@@ -26,7 +26,8 @@ std::string meaning_of(std::string_view output) {
   const auto is_output = [&](const CorePin& pin) { return pin.name == output; };
   if (std::any_of(pins::weights.begin(), pins::weights.end(), is_output))
     return "want_hit_valid && want_hit_failed == 3'd0 && want_hit_number != 32'hffffffff";
-  for (const std::string_view channel : {"hit", "request"})
+  if (output == hls::channels::asks_triangle.name()) return "want_asks";
+  for (const std::string_view channel : {"hit", "request", "read", "fetch", "store", "put"})
     if (output.substr(0, output.find('_')) == channel && !output.ends_with("_valid"))
       return fmt::format("want_{}_valid", channel);
   return "";
@@ -83,6 +84,8 @@ Json manifest_of(const Core& core, const Library& library) {
                {"address_bits", options.address_bits},
                {"tag_bits", options.tag_bits},
                {"triangle_ii", options.triangle_interval},
+               {"cache_kib", options.cache_kib},
+               {"rings", options.rings},
                {"library", library.name()},
                {"clock_ps", core.clock_ps},
                {"axi", axi_json(core)},

@@ -20,6 +20,12 @@ class Host {
     system_.write(CORE_REG_LAST_BLOCK, static_cast<uint32_t>(blocks - 1));
     system_.write(CORE_REG_MOST_STEPS, steps);
     system_.write(CORE_REG_MOST_RAYS, rays);
+#if CORE_CACHE_KIB
+    system_.write(CORE_REG_MOST_LINES, 1 + system_.random() % 12);
+#endif
+#if CORE_HAS_RINGS
+    start_rings();
+#endif
     system_.write(CORE_REG_CLEAR_COUNTERS, 0);
   }
   // Sends so many rays, and compares the answers. Where something is wrong, `why` is why a ray may fail. If
@@ -46,6 +52,10 @@ class Host {
     uint32_t status = CORE_IDLE;
     if (failed != 0) status |= CORE_FAILED(why);
     if (system_.errors_given != 0) status |= CORE_BUS_ERROR;
+#if CORE_HAS_RINGS
+    if (system_.rings.errors_given != 0) status |= CORE_RING_ERROR;
+    system_.rings.errors_given = 0;
+#endif
     system_.errors_given = 0;
     if (system_.read(CORE_REG_STATUS) != status) fail("the status, register", CORE_REG_STATUS);
     if (system_.counter(CORE_COUNT_RAYS) != count) fail("the counter of rays, register", CORE_COUNT_RAYS);
@@ -60,6 +70,15 @@ class Host {
     if (is_whole && system_.counter(CORE_COUNT_TRIANGLES) != triangles)
       fail("triangles that rays read, register", CORE_COUNT_TRIANGLES);
     if (system_.counter(CORE_COUNT_HITS) != hits) fail("the counter of hits, register", CORE_COUNT_HITS);
+#if CORE_CACHE_KIB
+    const uint64_t found = system_.counter(CORE_COUNT_CACHE_HITS) + system_.counter(CORE_COUNT_CACHE_JOINS);
+    if (found + system_.counter(CORE_COUNT_CACHE_LINES) != system_.counter(CORE_COUNT_RECORDS) + system_.counter(CORE_COUNT_TRIANGLES))
+      fail("hits, joins and lines of the cache are not what rays read, register", CORE_COUNT_CACHE_HITS);
+    // In each cycle a ray asks for nothing, is refused, or is granted. Some cycles pass while the counters are read.
+    const uint64_t asked = system_.counter(CORE_COUNT_RECORDS) + system_.counter(CORE_COUNT_TRIANGLES) + system_.counter(CORE_COUNT_REFUSED);
+    const uint64_t before = system_.counter(CORE_COUNT_CYCLES), idle = system_.counter(CORE_COUNT_IDLE), after = system_.counter(CORE_COUNT_CYCLES);
+    if (asked + idle < before || asked + idle > after) fail("cycles with a question or none are not all, register", CORE_COUNT_IDLE);
+#endif
     system_.write(CORE_REG_STATUS, 0xffffffffu);
     if (system_.read(CORE_REG_STATUS) != CORE_IDLE) fail("the status stays, register", CORE_REG_STATUS);
     system_.write(CORE_REG_CLEAR_COUNTERS, 0);
@@ -69,6 +88,7 @@ class Host {
     trace(1);
     for (int i = 0; i < 200 || system_.reads_on_their_way() == 0; ++i) {
       system_.slowest = i < 150 ? 60 : 1000;
+      if (i % 64 == 0) system_.forget();
       cycle(answered_ + CORE_RAYS / 2 + CORE_RAYS % 2, 0, false);
     }
     system_.slowest = 60;
@@ -77,27 +97,32 @@ class Host {
   // Rays run until memory has refused a request for so long that no read is on its way, and the host an answer. A core
   // that has no such request or answer in some time is left as it is.
   void hold(bool requests, bool answers) {
-    Top& top = system_.top;
+    const Top& top = system_.top;
+    const Doors& doors = system_.doors;
     system_.refuses = requests;
     for (int i = 0; i < 2'000; ++i) {
-      if ((!requests || (top.m_axi_arvalid && system_.reads_on_their_way() == 0)) && (!answers || top.m_axis_hit_tvalid)) break;
+      if ((!requests || (top.m_axi_arvalid && system_.reads_on_their_way() == 0)) && (!answers || doors.m_axis_hit_tvalid)) break;
+      if (i % 64 == 0) system_.forget();
       cycle(answered_ + CORE_RAYS / 2 + CORE_RAYS % 2, 0, false, !answers);
     }
     quiet();
   }
   // Gives up the rays that are in the core. What is offered may wait long.
   void stop() {
-    Top& top = system_.top;
+    Doors& doors = system_.doors;
     system_.write(CORE_REG_CONTROL, CORE_SOFT_RESET);
-    top.s_axis_ray_tvalid = 1;
+    doors.s_axis_ray_tvalid = !ends_unseen;
     unsigned requests_wait = system_.random() % 64, answers_wait = system_.random() % 64;
     while (system_.registers.resetting()) {
       if (requests_wait-- == 0) system_.refuses = false;
-      if (answers_wait-- == 0) top.m_axis_hit_tready = 1;
+      if (answers_wait-- == 0) doors.m_axis_hit_tready = 1;
+      if (ends_unseen && !system_.refuses && doors.m_axis_hit_tready) {
+        if (!(system_.read(CORE_REG_STATUS) & CORE_RESETTING)) end_reset();
+      }
       system_.step();
     }
     system_.refuses = false;
-    top.s_axis_ray_tvalid = top.m_axis_hit_tready = 0;
+    doors.s_axis_ray_tvalid = doors.m_axis_hit_tready = 0;
     if (system_.read(CORE_REG_STATUS) & CORE_RESETTING) fail("a soft reset does not end, register", CORE_REG_STATUS);
     if (system_.reads_on_their_way() != 0) fail("reads after a soft reset:", system_.reads_on_their_way());
     system_.write(CORE_REG_STATUS, 0xffffffffu);
@@ -106,49 +131,71 @@ class Host {
   uint64_t blocks() const { return blocks_; }
 
  private:
+  void end_reset() {
+    system_.registers.end_reset();
+#if CORE_HAS_RINGS
+    if (system_.rings.is_busy()) fail("rings are read or written after a soft reset, register", CORE_REG_STATUS);
+    system_.rings.reset();
+#endif
+  }
+#if CORE_HAS_RINGS
+  void start_rings() {
+    system_.rings.place(system_.random);
+    const uint64_t rays = system_.rings.rays_at, answers = system_.rings.answers_at;
+    system_.write(CORE_REG_RAYS_LOW, static_cast<uint32_t>(rays));
+    system_.write(CORE_REG_RAYS_HIGH, static_cast<uint32_t>(rays >> 32));
+    system_.write(CORE_REG_ANSWERS_LOW, static_cast<uint32_t>(answers));
+    system_.write(CORE_REG_ANSWERS_HIGH, static_cast<uint32_t>(answers >> 32));
+    system_.write(CORE_REG_RING_LAST, Rings::places - 1);
+  }
+#endif
   void quiet() {
-    system_.top.s_axis_ray_tvalid = 0;
-    system_.top.m_axis_hit_tready = 0;
+    system_.doors.s_axis_ray_tvalid = 0;
+    system_.doors.m_axis_hit_tready = 0;
   }
   // One clock cycle. Rays have gaps now and then, and an answer may wait. Returns whether one came.
   bool cycle(size_t count, uint64_t why, bool spoils, bool takes = true) {
-    Top& top = system_.top;
+    Doors& doors = system_.doors;
+#if CORE_HAS_RINGS
+    // The core is told of rays now and then, and the host asks for an interrupt at some answer.
+    system_.rings.announce(system_.lite, system_.random);
+#endif
     // A ray that was offered stays until it is taken.
-    if (!top.s_axis_ray_tvalid || taken_) offers_ = !system_.random.one_in(4);
-    top.s_axis_ray_tvalid = offers_ && sent_ < count && !free_tags_.empty();
-    taken_ = top.s_axis_ray_tvalid && top.s_axis_ray_tready;
-    if (top.s_axis_ray_tvalid) {
-      top.s_axis_ray_tid = static_cast<std::remove_reference_t<decltype(top.s_axis_ray_tid)>>(free_tags_.front());
+    if (!doors.s_axis_ray_tvalid || taken_) offers_ = !system_.random.one_in(4);
+    doors.s_axis_ray_tvalid = offers_ && sent_ < count && !free_tags_.empty();
+    taken_ = doors.s_axis_ray_tvalid && doors.s_axis_ray_tready;
+    if (doors.s_axis_ray_tvalid) {
+      doors.s_axis_ray_tid = static_cast<std::remove_reference_t<decltype(doors.s_axis_ray_tid)>>(free_tags_.front());
       core_ray ray = rays_[sent_].ray;
       if (spoils && sent_ % 3 == 0) SPOIL;
       uint8_t bytes[CORE_RAY_BYTES];
       core_pack_ray(bytes, &ray);
-      put_bytes(top.s_axis_ray_tdata, bytes, CORE_RAY_BYTES);
+      put_bytes(doors.s_axis_ray_tdata, bytes, CORE_RAY_BYTES);
       if (taken_) {
         in_flight_[free_tags_.front()] = sent_++;
         free_tags_.pop_front();
       }
     }
-    top.m_axis_hit_tready = takes && !system_.random.one_in(4);
-    const bool comes = top.m_axis_hit_tvalid && top.m_axis_hit_tready;
+    doors.m_axis_hit_tready = takes && !system_.random.one_in(4);
+    const bool comes = doors.m_axis_hit_tvalid && doors.m_axis_hit_tready;
     if (comes) take(why, spoils);
     system_.step();
     return comes;
   }
   void take(uint64_t why, bool spoils) {
-    const core_hit hit = hit_of(system_.top);
-    const auto found = in_flight_.find(system_.top.m_axis_hit_tid);
-    if (found == in_flight_.end()) fail("an answer of no ray, tag", system_.top.m_axis_hit_tid);
+    const core_hit hit = hit_of(system_.doors);
+    const auto found = in_flight_.find(system_.doors.m_axis_hit_tid);
+    if (found == in_flight_.end()) fail("an answer of no ray, tag", system_.doors.m_axis_hit_tid);
     const size_t place = found->second;
     const Ray& ray = rays_[place];
-    const bool same = ray.ray.any ? (hit.number != CORE_NO_HIT) == (ray.number != CORE_NO_HIT)
+    const bool same = ASKS_ANY ? (hit.number != CORE_NO_HIT) == (ray.number != CORE_NO_HIT)
                               : hit.number == ray.number && hit.t == ray.tWEIGHTS_SAME;
     if (hit.failed ? hit.failed != why : !same) fail("the answer of ray", place);
     if (spoils && (place % 3 == 0) != (hit.failed != 0)) fail("the answer of a ray that is none or is one", place);
     failed += hit.failed != 0;
     hits += !hit.failed && hit.number != CORE_NO_HIT;
     in_flight_.erase(found);
-    free_tags_.push_back(system_.top.m_axis_hit_tid);
+    free_tags_.push_back(system_.doors.m_axis_hit_tid);
     ++answered_;
   }
 
@@ -167,7 +214,13 @@ void damage(System& system, Host& host) {
   const std::vector<System::Block> image = system.memory;
   const size_t some = 100;
   host.trace(some, no_ray, true);
-  system.errors = 2;
+#if CORE_HAS_RINGS
+  system.rings.errors = 8;
+  host.trace(some, no_ray);
+  system.rings.errors = 0;
+#endif
+  system.errors = has_cache ? 16 : 2;
+  system.forget();
   host.trace(some, unread);
   system.errors = 0;
   host.start(host.blocks(), 4);
@@ -193,17 +246,22 @@ void damage(System& system, Host& host) {
   // The root leads to its own record.
   for (int byte = 20; byte < 24; ++byte) system.memory[0][byte] = 0;
   system.memory[0][24] = 255;
+  system.forget();
   host.trace(some, levels);
   // To a block that the core cannot name, or that the image does not have.
   system.memory[0][23] = 0x80;
+  system.forget();
   host.trace(some, outside);
   system.memory = image;
   // The image of another grid, and the block of another kind.
   system.memory[0][31] ^= 1;
+  system.forget();
   host.trace(some, unread);
   system.memory[0][31] ^= 0x21;
+  system.forget();
   host.trace(some, unread);
   system.memory = image;
+  system.forget();
   system.write(CORE_REG_BASE_LOW, 0x20);
   if (system.read(CORE_REG_STATUS) != (CORE_IDLE | CORE_BASE_ERROR)) fail("a base of 32 bytes, register", CORE_REG_BASE_LOW);
   system.write(CORE_REG_STATUS, CORE_BASE_ERROR);
@@ -213,9 +271,17 @@ void damage(System& system, Host& host) {
 void registers(System& system) {
   system.read_all();
   constexpr uint8_t settings[] = {CORE_REG_BASE_LOW, CORE_REG_BASE_HIGH, CORE_REG_LAST_BLOCK, CORE_REG_MOST_STEPS,
-                                  CORE_REG_STATUS, CORE_REG_CLEAR_COUNTERS, CORE_REG_IDENTITY, CORE_REG_MOST_RAYS};
+                                  CORE_REG_STATUS, CORE_REG_CLEAR_COUNTERS, CORE_REG_IDENTITY, CORE_REG_MOST_RAYS,
+#if CORE_CACHE_KIB
+                                  CORE_REG_MOST_LINES,
+#endif
+#if CORE_HAS_RINGS
+                                  CORE_REG_RAYS_LOW, CORE_REG_RAYS_HIGH, CORE_REG_ANSWERS_LOW, CORE_REG_ANSWERS_HIGH,
+                                  CORE_REG_RING_LAST, CORE_REG_INTERRUPT
+#endif
+  };
   for (int i = 0; i < 250; ++i) {
-    const uint8_t at = settings[system.random() % 8];
+    const uint8_t at = settings[system.random() % sizeof settings];
     // Not only what is too large.
     system.write(at, system.random() >> system.random() % 32, system.random.one_in(2) ? 15 : system.random() % 16);
     system.read(at);

@@ -15,6 +15,7 @@ const std::string_view harness_registers =
 #include <cstdlib>
 #include <deque>
 #include <map>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -44,14 +45,6 @@ void get_bytes(const Port& port, uint8_t* bytes, size_t count) {
       bytes[i] = static_cast<uint8_t>(port[i / 4] >> i % 4 * 8);
   }
 }
-core_hit hit_of(const Top& top) {
-  uint8_t bytes[CORE_HIT_BYTES];
-  get_bytes(top.m_axis_hit_tdata, bytes, CORE_HIT_BYTES);
-  core_hit hit;
-  core_unpack_hit(&hit, bytes);
-  return hit;
-}
-IDS
 [[noreturn]] void fail(const char* what, uint64_t where) {
   std::printf("FAIL %s %" PRIu64 "\n", what, where);
   std::exit(1);
@@ -78,12 +71,26 @@ void put_rubbish(Port& port, size_t bytes, Random& random) {
   }
 }
 
+DOOR_TYPE
+core_hit hit_of(const Doors& doors) {
+  uint8_t bytes[CORE_HIT_BYTES];
+  get_bytes(doors.m_axis_hit_tdata, bytes, CORE_HIT_BYTES);
+  core_hit hit;
+  core_unpack_hit(&hit, bytes);
+  return hit;
+}
+IDS
 constexpr int bits_of_ray_number() {
   int bits = 1;
   while ((1 << bits) < CORE_RAYS) ++bits;
   return bits;
 }
 constexpr uint64_t ray_numbers = uint64_t{1} << bits_of_ray_number();
+// Nobody outside sees what rays ask a cache for.
+constexpr bool has_cache = CORE_CACHE_KIB != 0, has_rings = CORE_HAS_RINGS != 0;
+// Only the status tells when a soft reset has ended.
+constexpr bool ends_unseen = has_cache || has_rings;
+constexpr uint32_t first_unused_register = has_rings ? 0xb8 : 0x80;
 
 // What the registers say and let pass, by what has passed in all cycles before.
 class Registers {
@@ -91,8 +98,14 @@ class Registers {
   uint64_t last() const { return last_; }
   uint64_t most_rays() const { return most_; }
   bool resetting() const { return resetting_; }
+  void end_reset() {
+    resets_ = true;
+#if CORE_HAS_RINGS
+    offered_ = answered_ = 0;
+#endif
+  }
   // In a cycle. What does not stand in `top` is an output.
-  void compare(const Top& top) const {
+  void compare(const Top& top, const Doors& doors) const {
     const auto same = [](bool is, const char* what) {
       if (!is) fail(what, 0);
     };
@@ -101,16 +114,19 @@ class Registers {
     same(top.s_axi_arready == !has_read_, "what s_axi takes of a read;");
     same(top.s_axi_rvalid == gives_, "the answer of a read, not once;");
     same(top.s_axi_bresp == 0 && top.s_axi_rresp == 0, "an error of s_axi;");
-    if (gives_ && is_known_ && top.s_axi_rdata != given_) fail("what is read of register", given_place_ * 4);
-    same(!resetting_ || !top.s_axis_ray_tready, "a soft reset takes a ray;");
-    same(lets_requests_ || !top.m_axi_arvalid, "a soft reset asks for a block;");
-    same(lets_answers_ || !top.m_axis_hit_tvalid, "a soft reset gives an answer;");
+    if (gives_ && (top.s_axi_rdata & known_) != (given_ & known_)) fail("what is read of register", given_place_ * 4);
+    same(ends_unseen || !resetting_ || !doors.s_axis_ray_tready, "a soft reset takes a ray;");
+    same(has_cache || lets_requests_ || !top.m_axi_arvalid, "a soft reset asks for a block;");
+    same(has_rings || lets_answers_ || !doors.m_axis_hit_tvalid, "a soft reset gives an answer;");
     // Rays in front of the door have no number yet.
     same(CORE_PORTS >> 24 & 1 || flying_ <= most_given_, "more rays than the register lets in;");
-    same(flying_ != 0 || !top.m_axis_hit_tvalid, "an answer of no ray;");
+    same(flying_ != 0 || !doors.m_axis_hit_tvalid, "an answer of no ray;");
+#if CORE_HAS_RINGS
+    same(resetting_ || top.irq == interrupts_, "the interrupt;");
+#endif
   }
   // Its end. A block comes, or has an error, one cycle after its last beat if it is put together from beats.
-  void step(const Top& top, bool block_comes, bool block_error) {
+  void step(const Top& top, const Doors& doors, bool block_comes, bool block_error) {
     if (!top.aresetn) {
       *this = Registers();
       return;
@@ -119,17 +135,17 @@ class Registers {
     const bool had_error = CORE_HAS_ONE_ID ? block_error_ : block_error;
     block_comes_ = block_comes;
     block_error_ = block_error;
-    const bool ray = top.s_axis_ray_tvalid && top.s_axis_ray_tready;
-    const bool answer = top.m_axis_hit_tvalid && top.m_axis_hit_tready;
+    const bool ray = doors.s_axis_ray_tvalid && doors.s_axis_ray_tready;
+    const bool answer = doors.m_axis_hit_tvalid && doors.m_axis_hit_tready;
     const bool asked = top.m_axi_arvalid && top.m_axi_arready;
-    const core_hit hit = answer ? hit_of(top) : core_hit{};
+    const core_hit hit = answer ? hit_of(doors) : core_hit{};
+    had_ray_ = had_ray_ || ray;
 
     const bool reads = has_read_ && (!gives_ || top.s_axi_rready);
     if (reads) {
       given_ = word_at(read_place_ * 4);
       given_place_ = read_place_;
-      // With one identifier nobody outside knows what is asked for.
-      is_known_ = !CORE_HAS_ONE_ID || (read_place_ * 4 != CORE_COUNT_RECORDS && read_place_ * 4 != CORE_COUNT_TRIANGLES);
+      known_ = known_at(read_place_ * 4);
     }
     gives_ = reads || (gives_ && !top.s_axi_rready);
     if (!has_read_) read_place_ = top.s_axi_araddr / 4;
@@ -146,7 +162,7 @@ class Registers {
 
     const uint64_t happens[] = {1, ray, answer, answer && hit.failed == 0 && hit.number != CORE_NO_HIT,
                                 asked && !(asked_id(top) & ray_numbers), asked && (asked_id(top) & ray_numbers) != 0,
-                                !top.m_axi_arvalid, top.m_axi_arvalid && !top.m_axi_arready};
+                                !top.m_axi_arvalid, top.m_axi_arvalid && !top.m_axi_arready, 0, 0, asked};
     for (size_t i = 0; i < counters_.size(); ++i)
       counters_[i] = at == CORE_REG_CLEAR_COUNTERS ? 0 : counters_[i] + happens[i];
 
@@ -158,6 +174,26 @@ class Registers {
     if (at == CORE_REG_LAST_BLOCK) last_ = kept(last_, CORE_BLOCK_BITS);
     if (at == CORE_REG_MOST_STEPS) steps_ = kept(steps_, 20);
     if (at == CORE_REG_MOST_RAYS) most_ = kept(most_, bits_of_ray_number() + 1);
+#if CORE_CACHE_KIB
+    if (at == CORE_REG_MOST_LINES) lines_ = kept(lines_, 6);
+#endif
+#if CORE_HAS_RINGS
+    interrupts_ = (interrupt_ >> 16 & 1) != 0 && !((answered_ - interrupt_) >> 15 & 1);
+    if (top.m_axi_ring_bvalid) answered_ += doors.stored;
+    const auto of_ring = [&](uint64_t& address, uint32_t low) {
+      if (at == low) address = changed(address);
+      if (at == low + 4) address = changed(address >> 32) << 32 | (address & 0xffffffffu);
+      address &= ~uint64_t{0} >> (64 - CORE_ADDRESS_BITS) & ~uint64_t{CORE_RING_LINE_BYTES - 1};
+    };
+    of_ring(rays_at_, CORE_REG_RAYS_LOW);
+    of_ring(answers_at_, CORE_REG_ANSWERS_LOW);
+    if (at == CORE_REG_RING_LAST) ring_last_ = kept(ring_last_, 16);
+    if (at == CORE_REG_OFFERED) offered_ = kept(offered_, 16);
+    if (at == CORE_REG_INTERRUPT) interrupt_ = kept(interrupt_, 17);
+    if (top.m_axi_ring_rvalid && top.m_axi_ring_rresp >> 1) sticky_ |= CORE_RING_ERROR;
+    if (top.m_axi_ring_bvalid && top.m_axi_ring_bresp >> 1) sticky_ |= CORE_RING_ERROR;
+    counts_known_ = at == CORE_REG_CLEAR_COUNTERS || (counts_known_ && !resetting_);
+#endif
     if (resetting_) most_ = 0;
     most_given_ = resets_ ? 0 : std::min(std::max(most_, most_given_), ray_numbers);
     if (at == CORE_REG_STATUS) sticky_ &= ~ones;
@@ -166,12 +202,12 @@ class Registers {
     if (answer && hit.failed != 0) sticky_ |= CORE_FAILED(hit.failed);
 
     // A soft reset ends when what was offered is taken, and all blocks have come.
-    const bool ends = resetting_ && !resets_ && !lets_requests_ && !lets_answers_ && reading_ == 0;
+    const bool ends = !ends_unseen && resetting_ && !resets_ && !lets_requests_ && !lets_answers_ && reading_ == 0;
     flying_ = resets_ ? 0 : flying_ + ray - answer;
     reading_ = resets_ ? 0 : reading_ + asked - came;
     const bool stays = begins || (resetting_ && !resets_);
     lets_requests_ = !stays || (lets_requests_ && top.m_axi_arvalid && !top.m_axi_arready);
-    lets_answers_ = !stays || (lets_answers_ && top.m_axis_hit_tvalid && !top.m_axis_hit_tready);
+    lets_answers_ = !stays || (lets_answers_ && doors.m_axis_hit_tvalid && !doors.m_axis_hit_tready);
     resetting_ = stays;
     resets_ = ends;
 
@@ -183,6 +219,28 @@ class Registers {
   }
 
  private:
+  // Bits of a word that what passes outside tells.
+  uint32_t known_at(uint32_t at) const {
+    if (CORE_HAS_ONE_ID && !has_cache && (at == CORE_COUNT_RECORDS || at == CORE_COUNT_TRIANGLES)) return 0;
+#if CORE_CACHE_KIB
+    for (const uint32_t counter : {CORE_COUNT_RECORDS, CORE_COUNT_TRIANGLES, CORE_COUNT_IDLE, CORE_COUNT_REFUSED,
+                                   CORE_COUNT_CACHE_HITS, CORE_COUNT_CACHE_JOINS})
+      if (at / 8 == counter / 8) return counter != CORE_COUNT_IDLE && !had_ray_ ? ~uint32_t{0} : 0;
+    if (at == CORE_REG_STATUS) return ~(CORE_BUS_ERROR | (resetting_ ? CORE_RESETTING | CORE_IDLE : 0)) & known_of_rays(at);
+#endif
+    return known_of_rays(at);
+  }
+  // Nobody outside sees rays begin and answers leave on their way from and to rings.
+  uint32_t known_of_rays([[maybe_unused]] uint32_t at) const {
+#if CORE_HAS_RINGS
+    const bool quiet = flying_ == 0 && !resetting_;
+    if (at == CORE_REG_STATUS) return quiet ? ~CORE_RING_ERROR : 0;
+    if (resetting_ && (at == CORE_REG_OFFERED || at == CORE_REG_ANSWERED)) return 0;
+    for (const uint32_t counter : {CORE_COUNT_RAYS, CORE_COUNT_ANSWERS, CORE_COUNT_HITS})
+      if (at / 8 == counter / 8) return quiet && counts_known_ ? ~uint32_t{0} : 0;
+#endif
+    return ~uint32_t{0};
+  }
   uint32_t word_at(uint32_t at) const {
     const struct {
       uint32_t at, word;
@@ -195,6 +253,19 @@ class Registers {
         {CORE_REG_LAST_BLOCK, static_cast<uint32_t>(last_)},
         {CORE_REG_MOST_STEPS, static_cast<uint32_t>(steps_)},
         {CORE_REG_MOST_RAYS, static_cast<uint32_t>(most_)},
+#if CORE_CACHE_KIB
+        {CORE_REG_MOST_LINES, static_cast<uint32_t>(lines_)},
+#endif
+#if CORE_HAS_RINGS
+        {CORE_REG_RAYS_LOW, static_cast<uint32_t>(rays_at_)},
+        {CORE_REG_RAYS_HIGH, static_cast<uint32_t>(rays_at_ >> 32)},
+        {CORE_REG_ANSWERS_LOW, static_cast<uint32_t>(answers_at_)},
+        {CORE_REG_ANSWERS_HIGH, static_cast<uint32_t>(answers_at_ >> 32)},
+        {CORE_REG_RING_LAST, static_cast<uint32_t>(ring_last_)},
+        {CORE_REG_OFFERED, static_cast<uint32_t>(offered_)},
+        {CORE_REG_INTERRUPT, static_cast<uint32_t>(interrupt_)},
+        {CORE_REG_ANSWERED, static_cast<uint32_t>(answered_ & 0xffff)},
+#endif
         {CORE_REG_FORMAT, CORE_FORMAT},
         {CORE_REG_SHAPE, CORE_SHAPE},
         {CORE_REG_PORTS, CORE_PORTS}};
@@ -204,13 +275,17 @@ class Registers {
     return static_cast<uint32_t>(counters_[(at - CORE_COUNT_CYCLES) / 8] >> at % 8 * 8);
   }
 
-  bool has_place_ = false, has_word_ = false, written_ = false, has_read_ = false, gives_ = false, is_known_ = false;
-  uint32_t write_place_ = 0, word_ = 0, strobes_ = 0, read_place_ = 0, given_ = 0, given_place_ = 0, sticky_ = 0;
-  uint64_t base_ = 0, last_ = 0, steps_ = 0xfffff, most_ = 0, most_given_ = 0;
+  bool has_place_ = false, has_word_ = false, written_ = false, has_read_ = false, gives_ = false, had_ray_ = false;
+  uint32_t write_place_ = 0, word_ = 0, strobes_ = 0, read_place_ = 0, given_ = 0, given_place_ = 0, sticky_ = 0, known_ = 0;
+  uint64_t base_ = 0, last_ = 0, steps_ = 0xfffff, most_ = 0, most_given_ = 0, lines_ = 8;
   uint64_t flying_ = 0, reading_ = 0;
   bool resetting_ = false, resets_ = false, lets_requests_ = true, lets_answers_ = true;
   bool block_comes_ = false, block_error_ = false;
-  std::array<uint64_t, 8> counters_{};
+  std::array<uint64_t, has_cache ? 11 : 8> counters_{};
+#if CORE_HAS_RINGS
+  uint64_t rays_at_ = 0, answers_at_ = 0, ring_last_ = 0, offered_ = 0, interrupt_ = 0, answered_ = 0;
+  bool interrupts_ = false, counts_known_ = true;
+#endif
 };
 
 // Who writes and reads the registers. Addresses and words come in any order, answers wait now and then, and words that
@@ -236,7 +311,7 @@ class Lite {
     if (random.one_in(16) && asked_.size() < 2) ask_read(static_cast<uint8_t>(random()));
     // To write nowhere, or no byte, changes nothing.
     if (random.one_in(32) && places_.empty() && words_.empty())
-      random.one_in(2) ? ask_write(static_cast<uint8_t>(0x80 + random() % 0x80), random(), random() % 16)
+      random.one_in(2) ? ask_write(static_cast<uint8_t>(first_unused_register + random() % (0x100 - first_unused_register)), random(), random() % 16)
                        : ask_write(CORE_REG_LAST_BLOCK + random() % 3 * 4, random(), 0);
     const uint32_t low = random();
     if (!top.s_axi_awvalid) {

@@ -20,12 +20,13 @@ class System {
   uint64_t errors_given = 0;
   Random random;
   Top top;
+  DOOR_MEMBERS
   Lite lite;
   Registers registers;  // what they must say
 
   explicit System(uint64_t seed) : random{seed * 0x9e3779b97f4a7c15u | 1} {
     // Inputs begin with random bits too.
-    top.aclk = top.m_axis_hit_tready = 0;
+    top.aclk = doors.m_axis_hit_tready = 0;
     reset(2);
   }
   // For so many cycles. Memory still answers what it was asked for; if nothing tells old reads from new ones, it is
@@ -34,7 +35,10 @@ class System {
     if (CORE_HAS_ONE_ID) reads_.clear();
     for (Read& read : reads_) read.is_old = true;
     lite = Lite();
-    top.s_axi_awvalid = top.s_axi_wvalid = top.s_axi_arvalid = top.s_axis_ray_tvalid = 0;
+#if CORE_HAS_RINGS
+    rings.reset();
+#endif
+    top.s_axi_awvalid = top.s_axi_wvalid = top.s_axi_arvalid = doors.s_axis_ray_tvalid = 0;
     for (top.aresetn = 0; cycles > 0; --cycles) step();
     top.aresetn = 1;
   }
@@ -66,13 +70,13 @@ class System {
   // One clock cycle, with the memory's part in it.
   void step() {
     if (top.aresetn) lite.show(top, random);
-    if (!top.s_axis_ray_tvalid) {
-      put_rubbish(top.s_axis_ray_tdata, CORE_RAY_BYTES, random);
-      top.s_axis_ray_tid = random() & (~uint64_t{0} >> (64 - CORE_TAG_BITS));
+    if (!doors.s_axis_ray_tvalid) {
+      put_rubbish(doors.s_axis_ray_tdata, CORE_RAY_BYTES, random);
+      doors.s_axis_ray_tid = random() & (~uint64_t{0} >> (64 - CORE_TAG_BITS));
     }
     top.m_axi_arready = !refuses && !random.one_in(8);
-    // With one identifier the oldest is read, else any of them.
-    if (!reads_.empty() && !CORE_HAS_ONE_ID) std::swap(reads_[0], reads_[random() % reads_.size()]);
+    // With one identifier the oldest is read, else any of them. What was offered stays.
+    if (!reads_.empty() && !CORE_HAS_ONE_ID && !waits_.beat) std::swap(reads_[0], reads_[random() % reads_.size()]);
     top.m_axi_rvalid = !reads_.empty() && reads_[0].due <= cycle_;
     if (top.m_axi_rvalid) {
       show(reads_[0]);
@@ -82,10 +86,13 @@ class System {
       top.m_axi_rlast = random() % 2;
       show_id(top, random() & static_cast<uint32_t>(ray_numbers * 8 - 1));
     }
+#if CORE_HAS_RINGS
+    rings.show(top, random, cycle_);
+#endif
     top.aclk = 0;
     top.eval();
     check_offers();
-    if (top.aresetn) registers.compare(top);
+    if (top.aresetn) registers.compare(top, doors);
     bool comes = false, has_error = false;
     if (top.m_axi_rvalid && top.m_axi_rready) {
       Read& read = reads_[0];
@@ -104,7 +111,10 @@ class System {
       read.bad_beat = random() % beats;
       read.id = asked_id(top);
     }
-    registers.step(top, comes, has_error);
+    registers.step(top, doors, comes, has_error);
+#if CORE_HAS_RINGS
+    if (top.aresetn) rings.step(top, random, cycle_);
+#endif
     const Lite::Taken taken = top.aresetn ? lite.take(top) : Lite::Taken{};
     top.aclk = 1;
     top.eval();
@@ -121,21 +131,27 @@ class System {
     if (random.one_in(4)) first_block = (~uint64_t{0} >> (64 - CORE_ADDRESS_BITS) >> 6 << 1) - random() % 8 * 2;
   }
   size_t reads_on_their_way() const { return reads_.size(); }
+  // A cache is told that memory has changed.
+  void forget() {
+#if CORE_CACHE_KIB
+    lite.ask_write(CORE_REG_CONTROL, CORE_EMPTY_CACHE, 15);
+#endif
+  }
 
  private:
-  // A beat may have less bytes than a block, or more.
-  static constexpr uint64_t beats = CORE_BLOCK_BYTES < CORE_BEAT_BYTES ? 1 : CORE_BLOCK_BYTES / CORE_BEAT_BYTES;
+  // A beat may have less bytes than a read, or more.
+  static constexpr uint64_t beats = CORE_BURST_BYTES < CORE_BEAT_BYTES ? 1 : CORE_BURST_BYTES / CORE_BEAT_BYTES;
   struct Read {
     uint64_t address, block, due, beats = 0, bad_beat = 0;
     uint32_t id = 0;
     bool is_error = false, is_old = false;  // it was asked for before a reset
   };
   void show(const Read& read) {
-    Block block = memory[read.block];
-    if (read.is_error) block[0] ^= 0x55;
     std::array<uint8_t, CORE_BEAT_BYTES> bytes{};
-    for (size_t i = 0; i < block.size(); ++i)
-      if (i / bytes.size() == read.beats || beats == 1) bytes[(read.address + i) % bytes.size()] = block[i];
+    for (size_t i = 0; i < CORE_BURST_BYTES; ++i)
+      if (i / bytes.size() == read.beats || beats == 1)
+        bytes[(read.address + i) % bytes.size()] = memory[read.block + i / CORE_BLOCK_BYTES][i % CORE_BLOCK_BYTES];
+    if (read.is_error && read.beats == read.bad_beat) bytes[read.address % bytes.size()] ^= 0x55;
     put_bytes(top.m_axi_rdata, bytes.data(), bytes.size());
     top.m_axi_rlast = read.beats + 1 == beats;
     top.m_axi_rresp = read.is_error && read.beats == read.bad_beat ? 2 + random() % 2 : random() % 2;
@@ -143,19 +159,20 @@ class System {
   }
   // What is offered stays as it is until it is taken. A request is that of a block.
   void check_offers() {
-    Offers now{top.aresetn && top.m_axi_arvalid, top.aresetn && top.m_axis_hit_tvalid, top.m_axi_araddr,
-               asked_id(top), top.m_axis_hit_tid, {}};
-    if (now.answer) get_bytes(top.m_axis_hit_tdata, now.hit.data(), CORE_HIT_BYTES);
+    Offers now{top.aresetn && top.m_axi_arvalid, top.aresetn && doors.m_axis_hit_tvalid, false, top.m_axi_araddr,
+               asked_id(top), doors.m_axis_hit_tid, {}};
+    if (now.answer) get_bytes(doors.m_axis_hit_tdata, now.hit.data(), CORE_HIT_BYTES);
     if (top.aresetn && waits_.request && (!now.request || now.address != waits_.address || now.id != waits_.id))
       fail("a request that was offered is gone, address", waits_.address);
     if (top.aresetn && waits_.answer && (!now.answer || now.tag != waits_.tag || now.hit != waits_.hit))
       fail("an answer that was offered is gone, tag", waits_.tag);
-    if (now.request && now.address % CORE_BLOCK_BYTES != 0) fail("a request between two blocks, address", now.address);
-    if (top.m_axi_arlen != beats - 1 || 1u << top.m_axi_arsize != CORE_BLOCK_BYTES / beats || top.m_axi_arburst != 1)
+    if (now.request && now.address % CORE_BURST_BYTES != 0) fail("a request between two reads, address", now.address);
+    if (top.m_axi_arlen != beats - 1 || 1u << top.m_axi_arsize != CORE_BURST_BYTES / beats || top.m_axi_arburst != 1)
       fail("the size of a request, beats", top.m_axi_arlen);
     if (top.m_axi_arcache != 3 || top.m_axi_arprot != 0) fail("the kind of a request, arcache", top.m_axi_arcache);
     now.request = now.request && !top.m_axi_arready;
-    now.answer = now.answer && !top.m_axis_hit_tready;
+    now.answer = now.answer && !doors.m_axis_hit_tready;
+    now.beat = top.m_axi_rvalid && !top.m_axi_rready;
     waits_ = now;
   }
   // Addresses go round at their last bit.
@@ -164,7 +181,7 @@ class System {
            (64 - CORE_ADDRESS_BITS) >> 5;
   }
   struct Offers {
-    bool request, answer;
+    bool request, answer, beat;
     uint64_t address, id, tag;
     std::array<uint8_t, CORE_HIT_BYTES> hit;
   };

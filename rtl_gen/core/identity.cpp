@@ -23,16 +23,20 @@ CoreIdentity identity_of(const CoreOptions& options) {
   add(bits.mantissa, 8);
   CoreIdentity made{};
   made.format = taken();
-  add(options.rays, 16);
+  add(options.rays, 15);
+  add(options.questions ? 1 : 0, 1);
   add(options.levels, 8);
   add(options.address_bits, 8);
   made.shape = taken();
   add(options.tag_bits, 8);
   add(options.byte_bits, 8);
-  add(options.data_bits / 8, 8);
+  add(options.data_bits / 8, 7);
+  add(options.rings ? 1 : 0, 1);
   for (const bool is :
        {options.door == Door::binary32, options.weights, options.serial(), options.has_one_id()})
     add(is ? 1 : 0, 1);
+  add(options.has_cache() ? hls::count_bits(options.cache_kib) : 0, 3);
+  add(options.has_cache() && options.cache_line == 32 ? 1 : 0, 1);
   made.ports = taken();
   return made;
 }

@@ -90,12 +90,19 @@ void show_id(Top& top, uint32_t id) { top.m_axi_rid = id; }
                      : R"(uint32_t asked_id(const Top&) { return 0; }
 void show_id(Top&, uint32_t) {}
 )");
+  const bool rings = core.options.rings;
+  put("DOOR_TYPE", rings ? std::string(harness_rings) : "using Doors = Top;");
+  put("DOOR_MEMBERS", rings ? "Rings rings;\n  Doors& doors = rings.doors;" : "Doors& doors = top;");
   put("SPOIL", core.options.door == Door::binary32 ? "ray.dx = ray.dy = ray.dz = 0" : "ray.error = 1");
+  const bool questions = core.options.questions;
+  put("ASKS_ANY", questions ? "ray.ray.any && !ray.ray.once" : "ray.ray.any");
   const bool weights = core.options.weights;
   put("WEIGHTS_WANTED",
       weights ? "  uint64_t weights[6];  // |det|, |u| and |v| of a hit, the high half first\n" : "");
   put("WEIGHTS_COMPARED", weights ? compared_weights(core) : "");
-  put("WEIGHTS_SAME", weights ? " && (hit.number == CORE_NO_HIT || has_weights(hit, ray))" : "");
+  put("WEIGHTS_SAME", weights ? fmt::format(" && (hit.number == CORE_NO_HIT{} || has_weights(hit, ray))",
+                                            questions ? " || ray.ray.once" : "")
+                              : "");
   put("WEIGHTS_READ", weights ? "      for (uint64_t& half : line.weights) read(file, half);\n" : "");
   return text;
 }

@@ -140,8 +140,8 @@ std::vector<StreamField> stream_fields(const std::vector<Port>& ports) {
   return fields;
 }
 
-BeatText::BeatText(const std::vector<Port>& ports, const std::string& word) {
-  for (const StreamField& field : stream_fields(ports)) {
+BeatText::BeatText(const std::vector<StreamField>& fields, const std::string& word) {
+  for (const StreamField& field : fields) {
     const int high = field.offset + field.width - 1;
     const int end = field.offset + whole_bytes(field.width) - 1;
     layout += fmt::format("//   {:>4}:{:<4} {}\n", high, field.offset, field.name);

@@ -29,7 +29,8 @@ struct StreamField {
 /// What a wrapper's text has for each field of a beat.
 struct BeatText {
   /// `word` is the name of the beat.
-  BeatText(const std::vector<Port>& ports, const std::string& word);
+  BeatText(const std::vector<StreamField>& fields, const std::string& word);
+  BeatText(const std::vector<Port>& ports, const std::string& word) : BeatText(stream_fields(ports), word) {}
 
   std::string layout;                ///< a comment line for each
   std::vector<std::string> bits;     ///< "word[high:low]"

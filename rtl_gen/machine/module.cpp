@@ -167,7 +167,10 @@ std::string to_verilog(const MachineGraph& machine, const MachineModule& options
   if (!machine.memories.empty()) text += "\n  // Memories.\n";
   for (const hls::MemoryShape& memory : machine.memories) {
     const bool late = memory.is_late();
-    if (options.in_block_rams.contains(memory.name)) text += "  (* no_rw_check, ram_style = \"block\" *)\n";
+    if (options.in_block_rams.contains(memory.name))
+      text += "  (* no_rw_check, ram_style = \"block\" *)\n";
+    else if (memory.is_apart)
+      text += "  (* no_rw_check *)\n";
     // Without this mark Yosys takes many block RAMs, or has too few.
     if (memory.kind == hls::MemoryKind::single) text += "  (* ram_style = \"huge\" *)\n";
     text += fmt::format("  reg {0}{1} [0:{2}];\n  {3} {0}{4};{5}\n", vector_range(memory.width), memory.name,

@@ -9,9 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-
 #include "host/parallel.hpp"
+#include "host/per_thread.hpp"
 #include "host/piece.hpp"
 #include "sim/unit/verilated_design.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
@@ -98,7 +97,7 @@ std::vector<Result> judge_by_category(const CheckOptionsOf<Category>& options, c
     decltype(make()) test;
     std::optional<Model> rtl;
   };
-  oneapi::tbb::enumerable_thread_specific<Worker> workers([&] {
+  host::PerThread<Worker> workers([&] {
     Worker worker{make(), std::nullopt};
     if (options.rtl != nullptr) worker.rtl.emplace(*options.rtl);
     return worker;

@@ -4,9 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-
 #include "host/parallel.hpp"
+#include "host/per_thread.hpp"
 #include "sim/cosim/walk.hpp"
 #include "sim/feeds/feed.hpp"
 #include "sw_ref/judge/box_referee.hpp"
@@ -126,7 +125,7 @@ std::vector<StiffBoxes> stiff_boxes(const MakeBoxTest& make, const StiffnessOpti
   const auto share = [&](std::size_t i) {
     return options.tests / kinds + (i % kinds < options.tests % kinds ? 1 : 0);
   };
-  oneapi::tbb::enumerable_thread_specific<std::unique_ptr<BoxTest>> workers(make);
+  host::PerThread<std::unique_ptr<BoxTest>> workers(make);
   const auto judge_kind = [&](std::size_t i) {
     judge(*workers.local(), stream(options.seed, i), share(i), sums[i]);
   };

@@ -4,6 +4,7 @@
 
 #include "sim/check/shares.hpp"
 #include "sim/unit/drive.hpp"
+#include "sw_ref/world/crossing.hpp"
 
 namespace hitpipe::sim {
 
@@ -14,6 +15,17 @@ bool same(const std::optional<ref::IntCrossing>& unit, const std::optional<ref::
   if (unit.has_value() != exact.has_value()) return false;
   if (!exact) return true;
   return unit->t == exact->t && unit->det == exact->det && (!has_weights || unit->e == exact->e);
+}
+
+ref::IntRay without_an_end(ref::IntRay ray, const hls::WorldBits& world) {
+  ray.length = world.largest_distance();
+  return ray;
+}
+
+/// HIT is right.
+bool same(const CrossingFlags& unit, const std::optional<ref::Crossing>& exact, int crossings) {
+  if (!exact) return !unit.tie && !unit.once;
+  return unit.side == exact->side && (crossings == 2 ? unit.once == exact->once : unit.tie == exact->tie);
 }
 
 TriangleCategoryResult judge_triangles(TriangleTest& test, const ref::IntCategory& category,
@@ -43,7 +55,14 @@ TriangleCategoryResult judge_triangles(TriangleTest& test, const ref::IntCategor
       test.evaluate()(operands.data(), results.data());
       if (rtl != nullptr) batch.add(operands, std::span(results).first(test.evaluate().result_count()));
       result.hits += exact ? 1 : 0;
-      if (same(test.crossing(results.data()), exact, world.weights != 0)) continue;
+      bool right = same(test.crossing(results.data()), exact, world.weights != 0);
+      if (world.crossings != 0) {
+        const auto crossing = ref::crossing_of(without_an_end(c.ray, world), triangles[i], world);
+        result.ties += exact && crossing->tie ? 1 : 0;
+        result.counted += exact && crossing->tie && crossing->once ? 1 : 0;
+        right = right && same(test.crossing_flags(results.data()), crossing, world.crossings);
+      }
+      if (right) continue;
       ++result.wrong;
       if (!result.first_wrong) result.first_wrong = ref::IntCase{c.ray, triangles[i]};
     }
@@ -57,6 +76,8 @@ TriangleCategoryResult judge_triangles(TriangleTest& test, const ref::IntCategor
 TriangleCategoryResult& TriangleCategoryResult::operator+=(const TriangleCategoryResult& later) {
   tests += later.tests;
   hits += later.hits;
+  ties += later.ties;
+  counted += later.counted;
   wrong += later.wrong;
   rtl_mismatches += later.rtl_mismatches;
   if (!first_wrong) first_wrong = later.first_wrong;

@@ -20,8 +20,10 @@ using TriangleCheckOptions = CheckOptionsOf<ref::IntCategory>;
 struct TriangleCategoryResult {
   std::string category;
   std::uint64_t tests = 0;
-  std::uint64_t hits = 0;   ///< by exact integers
-  std::uint64_t wrong = 0;  ///< another HIT, T, determinant or weight
+  std::uint64_t hits = 0;     ///< by exact integers, as the next two
+  std::uint64_t ties = 0;     ///< in a format with crossings
+  std::uint64_t counted = 0;  ///< ties that are crossings
+  std::uint64_t wrong = 0;    ///< another HIT, T, determinant, weight, tie, crossing or side
   std::uint64_t rtl_mismatches = 0;
   std::optional<ref::IntCase> first_wrong;
 

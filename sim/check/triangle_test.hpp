@@ -14,6 +14,13 @@
 
 namespace hitpipe::sim {
 
+/// What a unit says of a hit as a crossing, in the terms of ref::Crossing. A format has `tie` or `once`; the other
+/// one is false.
+struct CrossingFlags {
+  bool tie = false, once = false;
+  int side = 0;  ///< 1 or -1; it has a meaning only with HIT
+};
+
 /// For one thread only.
 class TriangleTest {
  public:
@@ -26,6 +33,8 @@ class TriangleTest {
   /// What results say of the started ray. Nothing: no hit, or T is beyond the ray's length. Weights are 0 in
   /// a format without them.
   [[nodiscard]] virtual std::optional<ref::IntCrossing> crossing(const std::int64_t* results) const = 0;
+  /// Of the started ray as if it had no end. All are 0 in a format without crossings.
+  [[nodiscard]] virtual CrossingFlags crossing_flags(const std::int64_t* results) const = 0;
   /// The unit in C++.
   [[nodiscard]] virtual const rtl::Evaluate& evaluate() const = 0;
 };

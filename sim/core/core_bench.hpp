@@ -9,12 +9,16 @@
 #include <span>
 #include <vector>
 
+#include "hls/machines/cache.hpp"
 #include "hls/machines/channels.hpp"
 #include "hls/machines/failure.hpp"
 #include "hls/machines/weights.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "rtl_gen/machine/machine.hpp"
+#include "sim/core/line_bus.hpp"
 #include "sim/core/memory_model.hpp"
+#include "sim/core/port_places.hpp"
+#include "sim/core/ring_bus.hpp"
 #include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 #include "sw_ref/scene/ray.hpp"
@@ -26,6 +30,11 @@ struct CoreJob {
   ref::Ray ray;
   bool any = false;   ///< any hit will do
   bool none = false;  ///< the core is told that it is no ray
+  /// Of a core with questions: the next crossing that is not before `from_t` and `from_number`, or with `any` the
+  /// count of crossings.
+  bool once = false;
+  std::int64_t from_t = 0;
+  std::uint32_t from_number = 0;
 };
 /// What int_triangle says of the hit (hls/world/triangle_operands.hpp).
 struct CoreWeights {
@@ -45,7 +54,8 @@ struct CoreCounts {
   std::uint64_t rays = 0, cycles = 0;
   std::uint64_t records = 0, triangles = 0;  ///< blocks that were read
   std::uint64_t failed = 0;
-  std::uint64_t refused = 0;  ///< cycles in which memory took no request
+  std::uint64_t refused = 0;          ///< cycles in which memory, or the core's cache, took no request
+  std::uint64_t hits = 0, joins = 0;  ///< blocks whose line was in the core's cache, and that was on its way
   /// Cycles in which the core asked for nothing. Each is divided by where the rays were that it has room for:
   /// there were none for it, they waited for memory, or they were in its queues and units.
   double few_rays = 0, waiting = 0, inside = 0;
@@ -63,6 +73,7 @@ struct CoreBenchOptions {
   /// Twice as many rays are offered as the core has room for, with any tags; most_rays grows from few to its largest
   /// number; answers wait for long; and ports have random words while they say nothing.
   bool unruly = false;
+  int most_lines = 8;  ///< that a core with a cache reads at a time, 1..63
   std::uint64_t seed = 1;
 };
 
@@ -82,22 +93,24 @@ class CoreBench {
            const std::function<void(double)>& progress = {});
   /// Of all runs.
   [[nodiscard]] const CoreCounts& counts() const { return counts_; }
-  [[nodiscard]] const MemoryCounts& memory_counts() const { return memory_.counts(); }
+  /// With a cache of the core's own, requests are its rays', hits and merged ones are the cache's.
+  [[nodiscard]] MemoryCounts memory_counts() const;
 
  private:
   /// The rays in flight, for run_rays(). A ray's place is its tag.
   class World;
 
-  void show(const CoreJob& job);
+  [[nodiscard]] std::vector<rtl::Word> fields_of(const CoreJob& job);
   /// One of those that are the place, modulo the number of places.
   rtl::Word tag_of(std::size_t place, std::size_t places);
   void spoil(std::vector<rtl::Word>& fields);
   void put_random(std::size_t place, std::size_t count);
-  void let_more_rays();
-  void take_block();
+  void change_settings();
+  void show_block();
+  void show_beat();
   /// `asks` and `answers` say what the core offers; `asked`: memory took a request.
   void check_alive(bool asks, bool asked, bool answers);
-  void count_idle(double room, double flying, double reading);
+  void count_idle(double room, double begun, double reading);
   [[nodiscard]] CoreWeights weights() const;
 
   const rtl::Core& core_;
@@ -106,39 +119,23 @@ class CoreBench {
   MemoryModel memory_;
   std::uint64_t most_still_, most_blocks_;  ///< cycles without a request, and blocks, between two answers
   std::uint64_t still_ = 0, blocks_ = 0;
-  /// The place of each port among the inputs or the outputs.
-  class Places {
-   public:
-    using Fields = hls::Join<hls::List<hls::channels::ray_valid, hls::channels::ray_ready,
-                                       hls::channels::ray_tag, hls::channels::ray_any>,
-                             hls::channels::Hits, hls::channels::Hits::Back, hls::channels::Request,
-                             hls::channels::Request::Back, hls::channels::BlockRead, hls::channels::Settings,
-                             hls::weights::HitWeights>;
-    explicit Places(const rtl::Core& core) : Places(core, Fields()) {}
-    template <class Field>
-    std::size_t operator[](Field) const {
-      return places_[place_in<Field>(Fields())];
-    }
-
-   private:
-    static constexpr std::size_t none = ~std::size_t{0};  ///< the core does not have it
-    template <auto... F>
-    Places(const rtl::Core& core, hls::List<F...>) : places_{core.place_of(F).value_or(none)...} {}
-    template <class Field, auto... F>
-    static constexpr std::size_t place_in(hls::List<F...>) {
-      static_assert((std::is_same_v<std::remove_const_t<decltype(F)>, Field> || ...));
-      std::size_t place = 0;
-      static_cast<void>(
-          ((std::is_same_v<std::remove_const_t<decltype(F)>, Field> || (++place, false)) || ...));
-      return place;
-    }
-    std::array<std::size_t, Fields::count> places_;
-  };
+  using OfCache =
+      hls::Join<hls::List<hls::channels::asks, hls::channels::asks_triangle>, hls::channels::Asks::Back,
+                hls::channels::Beat, hls::channels::Beat::Back, hls::List<hls::cache::beat_id>,
+                hls::channels::CacheSettings, hls::channels::CacheEvents>;
+  using Places =
+      PortPlaces<hls::Join<hls::List<hls::channels::ray_valid, hls::channels::ray_ready,
+                                     hls::channels::ray_tag, hls::channels::ray_any>,
+                           hls::channels::Hits, hls::channels::Hits::Back, hls::channels::Request,
+                           hls::channels::Request::Back, hls::channels::BlockRead, hls::channels::Settings,
+                           hls::weights::HitWeights, OfCache, hls::List<hls::channels::ray_begins>>>;
   Places at_;
   ref::adversary::Random random_;
   std::vector<rtl::Word> inputs_, outputs_;
   std::vector<int> widths_;  ///< of the inputs
   std::optional<MemoryAnswer> block_;
+  std::optional<LineBus> bus_;    ///< of a core with a cache
+  std::optional<RingBus> rings_;  ///< of a core with rings
   CoreCounts counts_;
 };
 

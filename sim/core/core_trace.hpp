@@ -7,6 +7,7 @@
 #include <span>
 
 #include "sim/core/core_bench.hpp"
+#include "sim/core/core_questions.hpp"
 #include "sim/core/picture_rays.hpp"
 
 namespace hitpipe::sim {
@@ -20,11 +21,13 @@ struct CoreTrace {
   std::uint64_t wrong = 0;     ///< answers that are not software's
   bool same_reads = true;      ///< as many records and triangles as in software
   std::uint64_t restarts = 0;  ///< of the walks in software
+  /// Of a core with questions: of the same rays, behind all others. No count above has them.
+  std::optional<QuestionTrace> questions{};
 
   /// Of the same core, with other rays.
   CoreTrace& operator+=(const CoreTrace& later);
 
-  [[nodiscard]] bool right() const { return wrong == 0 && same_reads; }
+  [[nodiscard]] bool right() const { return wrong == 0 && same_reads && (!questions || questions->right()); }
   [[nodiscard]] std::uint64_t blocks() const { return counts.records + counts.triangles; }
   [[nodiscard]] double a_ray(std::uint64_t count) const {
     return static_cast<double>(count) / static_cast<double>(counts.rays);
@@ -41,6 +44,10 @@ struct CoreTrace {
 /// Makes the numbers of blocks and the addresses of a core long enough for an image.
 void make_room(rtl::CoreOptions& options, const ref::CoreImage& image);
 
+/// How many lines a core's cache reads at a time, so that the memory is always busy: 8, or more for a memory whose
+/// latency is long against the cycles of a line.
+[[nodiscard]] int lines_for(const MemoryOptions& memory);
+
 /// `machine` has the core's ports, and `picture` has a ray. `answered` gets the core's answers, by job. Throws
 /// as CoreBench does.
 [[nodiscard]] CoreTrace trace_core(const rtl::Core& core, rtl::NativeMachine& machine,
@@ -48,5 +55,11 @@ void make_room(rtl::CoreOptions& options, const ref::CoreImage& image);
                                    const MemoryOptions& memory,
                                    const std::function<void(double)>& progress = {},
                                    const std::function<void(std::span<const CoreAnswer>)>& answered = {});
+
+/// The same of a core with questions, with other rays than a picture's. All counts are of these questions.
+[[nodiscard]] CoreTrace trace_core(const rtl::Core& core, rtl::NativeMachine& machine,
+                                   const ref::CoreImage& image, const ref::IntScene& scene,
+                                   std::span<const ref::Ray> rays, const MemoryOptions& memory,
+                                   const QuestionOptions& questions);
 
 }  // namespace hitpipe::sim

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "rtl_gen/graph/word.hpp"
@@ -15,6 +16,8 @@
 #include "sw_ref/core/core_tracer.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 #include "sw_ref/scene/triangle_numbers.hpp"
+#include "sw_ref/world/crossing.hpp"
+#include "sw_ref/world/edge_lines.hpp"
 #include "sw_ref/world/int_ray.hpp"
 #include "sw_ref/world/int_scene.hpp"
 
@@ -82,6 +85,33 @@ rtl::CoreScene::Ray asked(const rtl::Core& core, const CoreJob& job, const ref::
           .weights = std::move(weights)};
 }
 
+/// Numbers of triangles in the same order, and with bits in all places.
+using Spread = std::function<std::uint32_t(std::uint32_t)>;
+
+/// By a test of each triangle: the count, or the next crossing.
+rtl::CoreScene::Ray asked_once(const rtl::Core& core, const CoreJob& job, const ref::IntMesh& mesh,
+                               const Spread& spread) {
+  const hls::WorldBits world = core.options.bits.world();
+  const ref::IntRay ray = ref::int_ray(job.ray, world);
+  const ref::TriangleNumbers numbers(mesh.mesh);
+  std::uint64_t count = 0;
+  std::int64_t sides = 0;
+  std::pair<std::int64_t, std::uint32_t> next{ray.length, ref::IntHit::none};
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto crossing = ref::crossing_of(ray, mesh.triangles[i], world);
+    if (!crossing || !crossing->once) continue;
+    ++count;
+    sides += crossing->side;
+    const std::pair place{crossing->t, spread(numbers.of_source(i))};
+    if (place >= std::pair{job.from_t, job.from_number}) next = std::min(next, place);
+  }
+  const auto bits_of_t = static_cast<std::uint64_t>(rtl::ones_below(world.distance()));
+  return {.fields = ray_fields(core, job),
+          .number = job.any ? count : next.second,
+          .t = static_cast<std::uint64_t>(job.any ? sides : next.first) & bits_of_t,
+          .weights = std::vector<std::uint64_t>(core.options.weights ? 6 : 0)};
+}
+
 /// How many blocks the core reads for it. A ray reads one after the other, so this depends on no timing.
 ref::TraceCounts read_for(const ref::CoreTracer& walk, const CoreJob& job) {
   std::uint32_t triangle = 0;
@@ -95,16 +125,36 @@ ref::TraceCounts read_for(const ref::CoreTracer& walk, const CoreJob& job) {
 
 rtl::CoreScene scene_with_answers(const rtl::Core& core, const Traced& mesh,
                                   const std::function<CoreJob()>& job) {
-  // Numbers of triangles in the same order, and with bits in all places.
   const std::uint32_t step = ~0U / (mesh.image.header.triangles + mesh.image.header.missing + 1);
-  const auto spread = [&](std::uint32_t number) { return number * step + step / 2; };
+  const Spread spread = [&](std::uint32_t number) { return number * step + step / 2; };
   const ref::CoreTracer walk(mesh.image, mesh.scene.mesh.mesh,
                              {.world = core.options.bits.world(),
                               .boxes = core.options.bits.boxes(),
                               .places = 1 << core.options.stack_bits});
-  rtl::CoreScene scene{.blocks = renumbered(mesh.image, spread).blocks, .rays = {}};
+  const ref::CoreImage image = renumbered(mesh.image, spread);
+  rtl::CoreScene scene{.blocks = image.blocks, .rays = {}};
+  // Software does not say how often a tie is tested. Alone in the core, a ray reads as much as among others.
+  NativeCore alone(core);
+  std::optional<CoreBench> bench;
+  if (core.options.questions) bench.emplace(core, alone, image, MemoryOptions{});
+  std::optional<CoreJob> behind;  // a ray walks from crossing to crossing
   for (int i = 0; i < 1000; ++i) {
-    const CoreJob made = job();
+    const CoreJob made = behind ? *behind : job();
+    behind.reset();
+    if (made.once) {
+      const CoreCounts before = bench->counts();
+      CoreAnswer answer;
+      bench->run({&made, 1}, {&answer, 1});
+      rtl::CoreScene::Ray& ray = scene.rays.emplace_back(asked_once(core, made, mesh.scene.mesh, spread));
+      ray.records = bench->counts().records - before.records;
+      ray.triangles = bench->counts().triangles - before.triangles;
+      if (!made.any && ray.number != ref::IntHit::none) {
+        behind = made;
+        behind->from_t = static_cast<std::int64_t>(ray.t);
+        behind->from_number = static_cast<std::uint32_t>(ray.number) + 1;
+      }
+      continue;
+    }
     const ref::TraceCounts read = read_for(walk, made);
     rtl::CoreScene::Ray& ray = scene.rays.emplace_back(asked(core, made, mesh.scene.mesh));
     if (ray.number != ref::IntHit::none) ray.number = spread(static_cast<std::uint32_t>(ray.number));
@@ -175,10 +225,22 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
                  2),
         options.levels - 1, random);
   });
+  // Half of the rays want crossings, if they may: count, or the next one behind a place.
+  const auto with_a_question = [&](CoreJob made) {
+    if (!options.questions || random.below(2) == 0) return made;
+    made.once = true;
+    made.any = random.below(2) == 0;
+    if (random.below(2) == 0) {
+      made.from_t =
+          static_cast<std::int64_t>(random.bits() % static_cast<rtl::Word>(world.largest_distance()));
+      made.from_number = static_cast<std::uint32_t>(random.bits());
+    }
+    return made;
+  };
   const auto job = [&]() -> CoreJob {
     ref::Ray ray{.origin = random_point(random), .direction = random_point(random)};
     ray.length = std::ldexp(1.0F, random.between(-6, 3));
-    return {ray, random.below(3) == 0};
+    return with_a_question({ray, random.below(3) == 0});
   };
   const auto aimed_job = [&](const ref::IntScene& scene) -> CoreJob {
     CoreJob made = job();
@@ -189,7 +251,9 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
     if (made.ray.direction == glm::vec3(0)) made.ray.direction.x = 1.0F;
     return made;
   };
-  const auto lattice_job = [&]() -> CoreJob { return {lattice.ray(), random.below(4) == 0}; };
+  const auto lattice_job = [&]() -> CoreJob {
+    return with_a_question({lattice.ray(), random.below(4) == 0});
+  };
   const auto nearest_job = [&]() -> CoreJob {
     return {{.origin = random_point(random), .direction = random_point(random)}, random.below(16) == 0};
   };
@@ -252,7 +316,14 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
     record(core, recorder, episode);
   }
 
-  const auto scene_job = [&] { return random.below(4) == 0 ? lattice_job() : aimed_job(mesh.scene); };
+  // These begin at odd places too, where a tie moves the origin down. Those of the lattice are even.
+  std::vector<ref::IntRay> at_edges;
+  if (options.questions) at_edges = ref::edge_rays(mesh.scene.mesh, world, random.bits(), 0, 1000);
+  const auto scene_job = [&]() -> CoreJob {
+    if (!at_edges.empty() && random.coin())
+      return with_a_question({ref::binary32_ray(at_edges[random.below(at_edges.size())], world)});
+    return random.below(4) == 0 ? lattice_job() : aimed_job(mesh.scene);
+  };
   rtl::CoreTest test{
       .cycles = std::move(recorder.cycles), .scene = scene_with_answers(core, mesh, scene_job), .units = {}};
   for (const rtl::Part& part : core.parts)

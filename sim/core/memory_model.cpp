@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,15 @@ void check_cycles(const char* what, int cycles) {
                                             MemoryOptions::most_cycles));
 }
 
+void check_rows(const DramRows& rows) {
+  const auto is_power = [](int x) { return x > 0 && (x & (x - 1)) == 0; };
+  if (rows.row_bytes != 0 && (!is_power(rows.row_bytes) || rows.row_bytes < 64))
+    throw std::invalid_argument(fmt::format(
+        "a memory's rows of {} bytes: allowed is 0 or a power of two from 64 on", rows.row_bytes));
+  if (!is_power(rows.banks))
+    throw std::invalid_argument(fmt::format("a memory of {} banks: allowed is a power of two", rows.banks));
+}
+
 const MemoryOptions& checked(const MemoryOptions& options) {
   check_cycles("latency", options.least_latency);
   check_cycles("latency", options.most_latency);
@@ -25,6 +35,7 @@ const MemoryOptions& checked(const MemoryOptions& options) {
   check_cycles("interval", options.interval);
   check_cycles("interval of lines", options.line_interval);
   check_cycles("hit latency", options.hit_latency);
+  check_rows(options.rows);
   if (options.refused_percent < 0 || options.refused_percent > 99)
     throw std::invalid_argument(fmt::format("a memory that refuses in {} % of the cycles: allowed is 0 to 99",
                                             options.refused_percent));
@@ -42,6 +53,7 @@ const MemoryOptions& checked(const MemoryOptions& options) {
   return options;
 }
 
+constexpr std::uint64_t no_row = ~std::uint64_t{0};
 constexpr std::uint32_t blocks_of_line = ref::CacheShape{}.line_bytes / ref::core_block_bytes;
 
 }  // namespace
@@ -66,16 +78,21 @@ MemoryCounts& MemoryCounts::operator+=(const MemoryCounts& later) {
 MemoryModel::MemoryModel(std::span<const ref::CoreBlock> blocks, const MemoryOptions& options)
     : blocks_(blocks),
       options_(checked(options)),
-      read_blocks_(options.cache_kib > 0 ? blocks_of_line : 1),
-      read_cycles_(
-          static_cast<std::uint64_t>(options.cache_kib > 0 ? options.line_interval : options.interval)),
+      read_bytes_(options.cache_kib > 0 ? ref::CacheShape{}.line_bytes
+                  : options.reads_lines ? static_cast<std::uint64_t>(options.line_bytes)
+                                        : ref::core_block_bytes),
+      read_cycles_(static_cast<std::uint64_t>(
+          options.cache_kib > 0 || options.reads_lines ? options.line_interval : options.interval)),
       latencies_(options.seed),
       refusals_(~options.seed),
       errors_(options.seed + 1),
-      cache_({.bytes = static_cast<std::uint64_t>(options.cache_kib) << 10}) {
+      cache_({.bytes = static_cast<std::uint64_t>(options.cache_kib) << 10,
+              .replacement = ref::Replacement::by_age}) {
   if (!options.in_order && options.least_latency < options.most_latency)
     calendar_.resize(std::bit_ceil(static_cast<std::size_t>(options.most_latency)));
   if (options.cache_kib > 0) on_their_way_.resize(buckets, no_place);
+  if (options.rows.row_bytes > 0) open_rows_.resize(static_cast<std::size_t>(options.rows.banks), no_row);
+  next_refresh_ = static_cast<std::uint64_t>(options.rows.refresh_every);
   decide_ready();
 }
 
@@ -121,7 +138,7 @@ bool MemoryModel::merge(std::uint32_t request) {
 }
 
 void MemoryModel::read(std::uint32_t request) {
-  counts_.bytes_read += read_blocks_ * ref::core_block_bytes;
+  counts_.bytes_read += read_bytes_;
   const std::uint64_t ready =
       now_ + static_cast<std::uint64_t>(latencies_.between(options_.least_latency, options_.most_latency));
   requests_[request].ready = ready;
@@ -134,13 +151,40 @@ std::optional<MemoryAnswer> MemoryModel::step() {
   ++counts_.cycles;
   asked_ = false;
   if (!calendar_.empty()) reads_.take_all(requests_, calendar_[now_ & (calendar_.size() - 1)]);
-  if (now_ >= memory_free_ && !reads_.empty() && requests_[reads_.first()].ready <= now_) {
-    memory_free_ = now_ + read_cycles_;
-    receive(reads_.pop(requests_));
-  }
+  serve();
   const std::optional<MemoryAnswer> answered = answer();
   decide_ready();
   return answered;
+}
+
+/// Memory gives the next read, or begins to open its row.
+void MemoryModel::serve() {
+  if (now_ < memory_free_) return;
+  if (opening_ == no_place) {
+    if (reads_.empty() || requests_[reads_.first()].ready > now_) return;
+    opening_ = reads_.pop(requests_);
+    memory_free_ = now_ + (open_rows_.empty() ? 0 : cycles_of_row(requests_[opening_].block));
+    if (now_ < memory_free_) return;
+  }
+  memory_free_ = now_ + read_cycles_;
+  receive(std::exchange(opening_, no_place));
+}
+
+std::uint64_t MemoryModel::cycles_of_row(std::uint32_t block) {
+  const DramRows& rows = options_.rows;
+  const auto cycles = [](int count) { return static_cast<std::uint64_t>(count); };
+  std::uint64_t taken = 0;
+  if (rows.refresh_every > 0 && now_ >= next_refresh_) {
+    next_refresh_ = now_ + cycles(rows.refresh_every);
+    std::fill(open_rows_.begin(), open_rows_.end(), no_row);
+    taken += cycles(rows.refresh_cycles);
+  }
+  const std::uint64_t row = block * ref::core_block_bytes / cycles(rows.row_bytes);
+  const std::uint64_t bank = row % open_rows_.size();
+  if (bank != std::exchange(last_bank_, bank)) taken += cycles(rows.bank_cycles);
+  const std::uint64_t open = std::exchange(open_rows_[bank], row);
+  if (open != row) taken += cycles(open == no_row ? rows.closed_cycles : rows.row_cycles);
+  return taken;
 }
 
 void MemoryModel::receive(std::uint32_t read) {
@@ -179,6 +223,7 @@ std::optional<MemoryAnswer> MemoryModel::answer() {
   const Request& request = requests_[place];
   MemoryAnswer& built = answered.emplace();
   built.tag = request.tag;
+  built.number = request.block;
   if (request.block < blocks_.size()) built.block = blocks_[request.block];
   if (options_.error_percent > 0 && errors_.below(100) < static_cast<std::uint64_t>(options_.error_percent)) {
     built.error = true;

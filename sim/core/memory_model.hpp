@@ -15,17 +15,31 @@
 
 namespace hitpipe::sim {
 
+/// The rows of a DRAM, in cycles. A read has to wait when it comes to another bank than the read before, and when its
+/// row is not open. A refresh stops all reads and closes all rows.
+struct DramRows {
+  int row_bytes = 0;  ///< 0: there are no rows, else a power of two, 64..65,536
+  int banks = 1;      ///< a power of two, 1..64; row after row is in the next one
+  int bank_cycles = 0, closed_cycles = 0,
+      row_cycles = 0;                         ///< another bank; no row is open; another row is open
+  int refresh_every = 0, refresh_cycles = 0;  ///< 0: never
+};
+
 /// All times are in cycles.
 struct MemoryOptions {
   /// From a request to its answer, when nothing else waits. 1..most_cycles, drawn for each read.
   int least_latency = 100, most_latency = 100;
-  bool in_order = false;    ///< answers in the order of their requests; else each when it is ready
-  int interval = 1;         ///< for each block that memory gives without a cache, 1..most_cycles
-  int line_interval = 2;    ///< for each line that memory gives to the cache, 1..most_cycles
+  bool in_order = false;  ///< answers in the order of their requests; else each when it is ready
+  bool reads_lines =
+      false;              ///< a request is one for a line, which the core's own cache wants; else for a block
+  int interval = 1;       ///< for each block that memory gives without a cache, 1..most_cycles
+  int line_interval = 2;  ///< for each line that memory gives to a cache, 1..most_cycles
+  int line_bytes = 64;    ///< of the core's own cache: 32, 64; those of the cache in this model are 64
+  DramRows rows{};
   int refused_percent = 0;  ///< of all cycles refuse a request, at random, 0..99
   int error_percent = 0;    ///< of all answers are errors, with other words than the block's, 0..99
   int most_waiting = 0;     ///< requests on their way; 0: no limit
-  int cache_kib = 0;        ///< 0: no cache, else a power of two, 1..most_cache_kib
+  int cache_kib = 0;        ///< of a cache in this model; 0: none, else a power of two, 1..most_cache_kib
   int hit_latency = 4;      ///< of a request whose line is in the cache, 1..most_cycles
   std::uint64_t seed = 1;
 
@@ -51,6 +65,7 @@ struct MemoryCounts {
 
 struct MemoryAnswer {
   std::uint32_t tag = 0;
+  std::uint32_t number = 0;  ///< of the block, of a line the first
   ref::CoreBlock block{};
   bool error = false;
   friend bool operator==(const MemoryAnswer&, const MemoryAnswer&) = default;
@@ -60,7 +75,7 @@ struct MemoryAnswer {
 /// cycle c with latency n is answered in cycle c + n or later: in that cycle the core sees the answer. There
 /// is at most one answer in a cycle, the one that was ready first, and of two the older request.
 ///
-/// Memory gives one block in `interval` cycles, with a cache one line in `line_interval`. It
+/// Memory gives one block in `interval` cycles, with a cache one line in `line_interval`, and later by what rows take. It
 /// gives first what is ready first, or with in_order what was asked for first. A line enters the cache when
 /// memory gives it, and all requests that wait for it are then ready. A hit takes no time of the memory.
 ///
@@ -104,7 +119,9 @@ class MemoryModel {
   [[nodiscard]] std::uint32_t line_of(std::uint32_t block) const;
   bool merge(std::uint32_t request);
   void read(std::uint32_t request);
+  void serve();
   void receive(std::uint32_t read);
+  std::uint64_t cycles_of_row(std::uint32_t block);
   void give(std::uint32_t request);
   [[nodiscard]] bool turn_is_first() const;
   std::optional<MemoryAnswer> answer();
@@ -112,7 +129,7 @@ class MemoryModel {
 
   std::span<const ref::CoreBlock> blocks_;
   MemoryOptions options_;
-  std::uint64_t read_blocks_, read_cycles_;  ///< of a block, or of a line of the cache
+  std::uint64_t read_bytes_, read_cycles_;  ///< of a block, or of a line of the cache
   ref::adversary::Random latencies_, refusals_, errors_;
   ref::LineCache cache_;
   MemoryCounts counts_;
@@ -127,7 +144,10 @@ class MemoryModel {
   std::vector<std::uint32_t> on_their_way_;  ///< with a cache: the newest read of each bucket of lines
 
   std::uint64_t now_ = 0;
-  std::uint64_t memory_free_ = 0;  ///< the first cycle in which memory can give a read
+  std::uint64_t memory_free_ = 0;         ///< the first cycle in which memory can give a read
+  std::uint32_t opening_ = no_place;      ///< a read whose row is being opened, until memory_free_
+  std::vector<std::uint64_t> open_rows_;  ///< of each bank
+  std::uint64_t last_bank_ = 0, next_refresh_ = 0;
   std::uint64_t waiting_ = 0;
   bool ready_ = true;
   bool asked_ = false;  ///< in this cycle

@@ -24,17 +24,51 @@ constexpr std::array known{
         "dram",
         "latency 30, 9 cycles for 32 bytes, 12 for 64",
         {.least_latency = 30, .most_latency = 30, .beat_bytes = 32, .beat_cycles = 3, .burst_cycles = 6}},
+    KnownMemory{"litedram-128",
+                "LiteDRAM of a LiteX SoC with a port of 128 bits: DDR3 of 16 pins at a rate of 1:4",
+                {.least_latency = 15,
+                 .most_latency = 15,
+                 .beat_bytes = 16,
+                 .rows = {.row_bytes = 2048,
+                          .banks = 8,
+                          .bank_cycles = 3,
+                          .closed_cycles = 5,
+                          .row_cycles = 8,
+                          .refresh_every = 782,
+                          .refresh_cycles = 39}}},
+    KnownMemory{"litedram-64",
+                "the same with a port of 64 bits",
+                {.least_latency = 17,
+                 .most_latency = 17,
+                 .beat_bytes = 16,
+                 .beat_cycles = 15,
+                 .rows = {.row_bytes = 2048,
+                          .banks = 8,
+                          .bank_cycles = 1,
+                          .closed_cycles = 5,
+                          .row_cycles = 8,
+                          .refresh_every = 782,
+                          .refresh_cycles = 27}}},
     KnownMemory{"axi-256", "latency 60, 32 bytes in every cycle", {.least_latency = 60, .most_latency = 60}}};
 
 struct Figure {
   std::string_view name;
-  int MemoryPort::*value;
+  int& (*value)(MemoryPort&);
   int least, most;
+  bool is_power = false;  ///< of two
 };
-constexpr std::array figures{Figure{"beat_bytes", &MemoryPort::beat_bytes, 1, 64},
-                             Figure{"beat_cycles", &MemoryPort::beat_cycles, 1, 100},
-                             Figure{"burst_cycles", &MemoryPort::burst_cycles, 0, 1000},
-                             Figure{"refused_percent", &MemoryPort::refused_percent, 0, 99}};
+constexpr std::array figures{
+    Figure{"beat_bytes", [](MemoryPort& port) -> int& { return port.beat_bytes; }, 1, 64, true},
+    Figure{"beat_cycles", [](MemoryPort& port) -> int& { return port.beat_cycles; }, 1, 100},
+    Figure{"burst_cycles", [](MemoryPort& port) -> int& { return port.burst_cycles; }, 0, 1000},
+    Figure{"row_bytes", [](MemoryPort& port) -> int& { return port.rows.row_bytes; }, 64, 65'536, true},
+    Figure{"banks", [](MemoryPort& port) -> int& { return port.rows.banks; }, 1, 64, true},
+    Figure{"bank_cycles", [](MemoryPort& port) -> int& { return port.rows.bank_cycles; }, 0, 1000},
+    Figure{"closed_cycles", [](MemoryPort& port) -> int& { return port.rows.closed_cycles; }, 0, 1000},
+    Figure{"row_cycles", [](MemoryPort& port) -> int& { return port.rows.row_cycles; }, 0, 1000},
+    Figure{"refresh_every", [](MemoryPort& port) -> int& { return port.rows.refresh_every; }, 0, 1'000'000},
+    Figure{"refresh_cycles", [](MemoryPort& port) -> int& { return port.rows.refresh_cycles; }, 0, 10'000},
+    Figure{"refused_percent", [](MemoryPort& port) -> int& { return port.refused_percent; }, 0, 99}};
 
 [[noreturn]] void refuse(std::string_view figure, std::string_view value, std::string_view allowed) {
   throw std::runtime_error(fmt::format("{} is {}; allowed is {}", figure, value, allowed));
@@ -62,9 +96,9 @@ void set(MemoryPort& port, const std::string& name, const std::string& value) {
       std::find_if(figures.begin(), figures.end(), [&](const Figure& each) { return each.name == name; });
   if (figure == figures.end())
     throw std::runtime_error(fmt::format("there is no figure {}; allowed is {}", name, figure_names()));
-  port.*(figure->value) = number_of(name, value, figure->least, figure->most);
-  if (name == "beat_bytes" && (port.beat_bytes & (port.beat_bytes - 1)) != 0)
-    refuse(name, value, "a power of two");
+  const int number = number_of(name, value, figure->least, figure->most);
+  if (figure->is_power && (number & (number - 1)) != 0) refuse(name, value, "a power of two");
+  figure->value(port) = number;
 }
 
 MemoryPort port_of(const std::filesystem::path& file) {
@@ -72,7 +106,7 @@ MemoryPort port_of(const std::filesystem::path& file) {
   const ref::Place top(text);
   MemoryPort port;
   for (const auto& [name, place] : top.members()) {
-    const auto count = [](const ref::Place& each) { return each.count(MemoryOptions::most_cycles); };
+    const auto count = [](const ref::Place& each) { return each.count(1'000'000); };
     const bool is_range = name == "latency" && text.at(name).is_array();
     if (is_range && place.size() != 2)
       place.fail("it has not two numbers; allowed is the least and the most");
@@ -124,13 +158,21 @@ MemoryPort memory_port(const std::string& text) {
   }
 }
 
-MemoryOptions memory_behind(const MemoryPort& port, int beats) {
+MemoryOptions memory_behind(const MemoryPort& port, const rtl::CoreOptions& core) {
   constexpr auto block = static_cast<int>(ref::core_block_bytes);
-  constexpr auto line = static_cast<int>(ref::CacheShape{}.line_bytes);
+  const int line = core.has_cache() ? core.cache_line : static_cast<int>(ref::CacheShape{}.line_bytes);
+  const auto interval = [&](int bytes) {
+    const int beats = (8 * bytes + core.data_bits - 1) / core.data_bits;
+    return std::max(port.cycles_of(bytes), beats);
+  };
   return {.least_latency = port.least_latency,
           .most_latency = port.most_latency,
-          .interval = std::max(port.cycles_of(block), beats),
-          .line_interval = std::max(port.cycles_of(line), line / block * beats),
+          .in_order = core.has_one_id(),
+          .reads_lines = core.has_cache(),
+          .interval = interval(block),
+          .line_interval = interval(line),
+          .line_bytes = line,
+          .rows = port.rows,
           .refused_percent = port.refused_percent};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "rtl_gen/core/core.hpp"
 #include "sim/core/memory_model.hpp"
 
 namespace hitpipe::sim {
@@ -15,6 +16,7 @@ struct MemoryPort {
   int beat_bytes = 32;                          ///< that the port gives at a time, a power of two, 1..64
   int beat_cycles = 1;                          ///< from beat to beat, 1..100
   int burst_cycles = 0;                         ///< that each read takes besides its beats, 0..1,000
+  DramRows rows{};                              ///< what a read takes besides
   int refused_percent = 0;                      ///< of all cycles in which it takes no request, 0..99
 
   /// From one read of so many bytes to the next.
@@ -36,7 +38,7 @@ struct KnownMemory {
 /// name are those of `ideal`. Throws std::runtime_error, one line.
 [[nodiscard]] MemoryPort memory_port(const std::string& text);
 
-/// The memory as a core sees it through a bus that needs `beats` cycles for a block. It has no cache.
-[[nodiscard]] MemoryOptions memory_behind(const MemoryPort& port, int beats);
+/// The memory as a core sees it through its bus. It has no cache, but the core may have one.
+[[nodiscard]] MemoryOptions memory_behind(const MemoryPort& port, const rtl::CoreOptions& core);
 
 }  // namespace hitpipe::sim

@@ -31,6 +31,7 @@ struct PictureRays {
   /// The picture that right answers make, of the options with which the rays were recorded; linear.
   [[nodiscard]] std::vector<glm::vec3> drawn(std::span<const CoreAnswer> answers,
                                              ref::RenderOptions render) const;
+  [[nodiscard]] const ref::IntScene& scene() const { return *scene_; }
 
  private:
   std::shared_ptr<const ref::IntScene> scene_;  ///< whose triangles the answers name

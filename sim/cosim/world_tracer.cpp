@@ -11,8 +11,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
 
+#include "host/per_thread.hpp"
 #include "sim/cosim/counts.hpp"
 #include "sim/cosim/divider_station.hpp"
 #include "sim/cosim/run_rays.hpp"
@@ -217,7 +217,9 @@ struct WorldTracer::Shared {
   WorldUnits units;
   std::unique_ptr<const VerilatedMachine> divider;
   std::unique_ptr<ref::Tracer> reference;
-  mutable oneapi::tbb::enumerable_thread_specific<std::unique_ptr<world_units::Stations>> stations;
+  /// Units keep state from ray to ray.
+  mutable host::PerThread<std::unique_ptr<world_units::Stations>> stations{
+      [this] { return world_units::make_stations(world, units, *divider); }};
   mutable std::mutex counting;
   mutable WorldCounts counts;
 };
@@ -258,9 +260,7 @@ void WorldTracer::trace(const ref::TraceJob& job, ref::TraceCounts& counts) cons
   if (!shared_->world.scene->bvh) {
     std::fill(job.triangles.begin(), job.triangles.end(), ref::IntHit::none);
   } else {
-    std::unique_ptr<world_units::Stations>& own = shared_->stations.local();
-    if (!own) own = world_units::make_stations(shared_->world, shared_->units, *shared_->divider);
-    own->run(job, counts);
+    shared_->stations.local()->run(job, counts);
   }
   for (std::size_t i = 0; i < exact.size(); ++i) {
     made.different += ref::same_answer(job.query, job.triangles[i], exact[i]) ? 0 : 1;
@@ -279,9 +279,7 @@ std::size_t WorldTracer::node_count() const {
 
 WorldCounts WorldTracer::counts() const {
   WorldCounts sum = shared_->counts;
-  for (const auto& own : shared_->stations) {
-    sum += own->counts();
-  }
+  shared_->stations.for_each([&](const auto& own) { sum += own->counts(); });
   return sum;
 }
 

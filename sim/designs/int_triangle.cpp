@@ -89,6 +89,15 @@ class IntTriangleTest final : public TriangleTest {
     }
     return found;
   }
+  [[nodiscard]] CrossingFlags crossing_flags(const std::int64_t* results) const override {
+    if (world_.crossings == 0) return {};
+    // A determinant has the other sign where an axis and M trade places, or D is divided by a sign.
+    const bool turned = (in_.back_m ^ in_.major_y ^ in_.major_z) != 0;
+    const bool back = side_ ? results[*side_] != 0 : det_.value(results) < 0;
+    return {.tie = tie_ && results[*tie_] != 0,
+            .once = once_ && results[*once_] != 0,
+            .side = back != turned ? 1 : -1};
+  }
   [[nodiscard]] const rtl::Evaluate& evaluate() const override { return evaluate_; }
 
  private:
@@ -97,9 +106,13 @@ class IntTriangleTest final : public TriangleTest {
         evaluate_(design.evaluate(format)),
         det_(results, Meaning::determinant, Meaning::determinant_low),
         num_(results, Meaning::volume, Meaning::volume_low) {
-    if (world_.weights == 0) return;
-    u_.emplace(results, Meaning::edge_u, Meaning::edge_u_low);
-    v_.emplace(results, Meaning::edge_v, Meaning::edge_v_low);
+    if (world_.weights != 0) {
+      u_.emplace(results, Meaning::edge_u, Meaning::edge_u_low);
+      v_.emplace(results, Meaning::edge_v, Meaning::edge_v_low);
+    }
+    if (world_.crossings % 2 == 1) tie_ = place_of_result(results, Meaning::tie, 0);
+    if (world_.crossings == 2) once_ = place_of_result(results, Meaning::once, 0);
+    if (world_.crossings == 1 || world_.crossings == 2) side_ = place_of_result(results, Meaning::side, 0);
   }
   static Int128 size(Int128 x) { return x < 0 ? -x : x; }
 
@@ -107,6 +120,7 @@ class IntTriangleTest final : public TriangleTest {
   rtl::Evaluate evaluate_;
   Halves det_, num_;
   std::optional<Halves> u_, v_;
+  std::optional<std::size_t> tie_, once_, side_;  ///< among the results
   Operands in_{};
   std::int64_t length_ = 0;
 };

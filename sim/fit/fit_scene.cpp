@@ -79,7 +79,7 @@ std::optional<Precision> precision_of(PrecisionSearch search, const Tried& tried
           price_of_fit(design, precision, scene.demands, library,
                        tried.rate(precision, static_cast<double>(tests.box_tests), scene, options));
       if (!price) return std::numeric_limits<double>::infinity();
-      if (rated) return static_cast<double>(price->area_um2);
+      if (rated) return static_cast<double>(price->area_um2) * 1e-6;
       return options.cost(
           {.design = &design, .format = precision.format, .price = std::move(*price), .tests = tests});
     };

@@ -91,27 +91,32 @@ struct Step {
   std::ptrdiff_t groups, formats;
 };
 
-/// To neighbours. With `far_groups` and `far_formats` they are followed by all formats that are so near.
+/// To neighbours, and two groups on: a group may differ from the next in little. With `far_groups` and `far_formats` they are followed by all formats that are so near.
 std::vector<Step> steps_to(std::ptrdiff_t far_groups, std::ptrdiff_t far_formats) {
-  std::vector<Step> steps{{0, 1}, {0, -1}, {1, 0}, {-1, 0}};
+  std::vector<Step> steps{{0, 1}, {0, -1}, {1, 0}, {-1, 0}, {2, 0}, {-2, 0}};
   for (std::ptrdiff_t group = -far_groups; group <= far_groups; ++group)
     for (std::ptrdiff_t format = -far_formats; format <= far_formats; ++format)
       if (std::abs(group) + std::abs(format) > 1) steps.push_back({group, format});
   return steps;
 }
 
-/// Goes from format to format while the cost falls: one format on in the group, or to the format at the same
-/// place in the group beside it. In steps of a rate the cost of neighbours is uneven, so it looks farther.
-rtl::Format least_cost(const FormatGroups& groups, const rtl::Format& start, bool far,
-                       Measurements& measured) {
-  struct Place {
-    std::size_t group, format;
-  };
-  Place best{};
+struct Place {
+  std::size_t group, format;
+};
+
+std::optional<Place> place_of(const FormatGroups& groups, const rtl::Format& format) {
   for (std::size_t group = 0; group < groups.size(); ++group) {
-    const auto at = std::find(groups[group].begin(), groups[group].end(), start);
-    if (at != groups[group].end()) best = {group, static_cast<std::size_t>(at - groups[group].begin())};
+    const auto at = std::find(groups[group].begin(), groups[group].end(), format);
+    if (at != groups[group].end()) return Place{group, static_cast<std::size_t>(at - groups[group].begin())};
   }
+  return std::nullopt;
+}
+
+/// Goes from format to format while the cost falls: one format on in the group, or to the format at the same
+/// place in one of the next two groups. In steps of a rate the cost of neighbours is uneven, so it looks farther.
+rtl::Format least_cost_from(const FormatGroups& groups, const rtl::Format& start, bool far,
+                            Measurements& measured) {
+  Place best = place_of(groups, start).value();
   const auto cost_at = [&](const Place& place) { return measured.cost(groups[place.group][place.format]); };
   const auto next_of = [&](const Place& place, const Step& step) -> std::optional<Place> {
     const std::size_t group = place.group + static_cast<std::size_t>(step.groups);  // wraps below 0
@@ -132,6 +137,20 @@ rtl::Format least_cost(const FormatGroups& groups, const rtl::Format& start, boo
     }
   }
   return groups[best.group][best.format];
+}
+
+/// Where a search for the least cost begins, each once: the cost has hollows, and a path ends in the first.
+std::vector<rtl::Format> starts_of(const PrecisionSearch& search, const FormatGroups& groups,
+                                   const rtl::Format& within_limit) {
+  const Software& software = software_of(*search.design);
+  std::vector<rtl::Format> wanted{search.most, within_limit, search.design->default_format};
+  if (software.fit_from) wanted.push_back(*software.fit_from);
+  wanted.insert(wanted.end(), software.sweep_formats.begin(), software.sweep_formats.end());
+  std::vector<rtl::Format> starts;
+  for (const rtl::Format& format : wanted)
+    if (place_of(groups, format) && std::find(starts.begin(), starts.end(), format) == starts.end())
+      starts.push_back(format);
+  return starts;
 }
 
 /// Greedy: an axis that cannot lose another bit is not tried again.
@@ -185,7 +204,13 @@ std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
       const auto& group = first_good(groups, [&](const auto& each) { return measured.good(each.back()); });
       found.format = first_good(group, [&](const rtl::Format& each) { return measured.good(each); });
     }
-    if (search.cost) found.format = least_cost(groups, found.format, search.far, measured);
+    if (search.cost) {
+      for (const rtl::Format& start : starts_of(search, groups, found.format)) {
+        found.starts.push_back({start, measured.cost(start)});
+        const rtl::Format end = least_cost_from(groups, start, search.far, measured);
+        if (measured.cost(end) < measured.cost(found.format)) found.format = end;
+      }
+    }
     found.extra_triangle_tests_pct = measured.extra_triangles(found.format);
     found.extra_box_tests_pct = measured.extra(found.format);
     found.coarse = most_dropped(search, found.format, measured);
@@ -197,6 +222,7 @@ std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
                                    measured.cost(found.format, found.coarse)
                              : *found.endless_extra_box_tests_pct > search.overhead_pct;
   }
+  if (search.cost) found.cost = measured.cost(found.format, found.coarse, found.ends);
   found.formats_measured = measured.count();
   return found;
 }

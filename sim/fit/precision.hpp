@@ -18,6 +18,12 @@
 
 namespace hitpipe::sim {
 
+/// A format of the design, and its cost on the scene's rays.
+struct CostedFormat {
+  rtl::Format format;
+  double cost;
+};
+
 /// What the scene's own rays do not need, as measured.
 struct Precision {
   rtl::Format format;
@@ -29,6 +35,9 @@ struct Precision {
   /// With this format and these axes, all rays endless. Nothing when no operand says that a ray is endless.
   std::optional<double> endless_extra_box_tests_pct{};
   int formats_measured = 0;  ///< each with its coarse axes, with and without ends
+  /// Of a search for the least cost: where it began, `most` first.
+  std::vector<CostedFormat> starts{};
+  double cost = 0;  ///< of that search's result; none of the starts has less
 };
 
 /// "1.66 % extra box tests, measured on the scene's rays".
@@ -70,8 +79,9 @@ struct PrecisionSearch {
 /// it tries to drop the ends of rays. A design with one format can lose only these. Returns nothing when even
 /// `most`, which must be a format of the design, is not within the limit.
 ///
-/// With a cost, the search goes on from the format that is found so, or from `most` if there is none: to
-/// neighbours in the group and in the groups beside it, as long as the cost falls. A low bit of an axis is
+/// With a cost, the search begins at several formats: `most`, the format that is found so, and up to `most` the
+/// design's default and the formats in which it is studied. From each it goes to neighbours in the group and in
+/// the next two groups on each side, as long as the cost falls, and the least of all is taken. A low bit of an axis is
 /// dropped, and so are the ends of rays, if that lowers the cost. Unless it is limited, there is a result.
 [[nodiscard]] std::optional<Precision> fewest_bits(const PrecisionSearch& search);
 

@@ -75,8 +75,9 @@ struct SweepRow : SweepSubject {
   std::uint64_t indexed_bytes = 0, indexed_bytes_4kib = 0, indexed_bytes_16kib = 0, indexed_bytes_64kib = 0;
 
   double rtl_seconds = 0;  ///< measured: CosimResult::rtl_seconds
-  double software_ratio =
-      0;  ///< measured: time of the design's software traversal, over the baseline design's
+  /// Measured: processor time of the design's own traversal in software, in seconds for a million rays. Median and
+  /// quartiles of repeated runs; nothing of a design without a tracer of its own.
+  std::optional<double> software_s, software_s_lower, software_s_upper;
 
   [[nodiscard]] std::uint64_t rays_traced() const;
   [[nodiscard]] double occupancy_pct() const;           ///< 100: a test begins whenever one may
@@ -157,7 +158,7 @@ struct SweepColumn {
   [[nodiscard]] double number(const SweepRow& row) const;
 };
 
-/// The columns, in order. The last two are measured times. Only they differ between runs.
+/// The columns, in order. The last four are measured times. Only they differ between runs.
 inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
     {"program", &SweepRow::program},
     {"scene", &SweepRow::scene},
@@ -256,9 +257,11 @@ inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
     {"area_run_time_lut_ms", &SweepRow::area_run_time_lut_ms},
     {"whole_area_run_time_lut_ms", &SweepRow::whole_area_run_time_lut_ms},
     {"rtl_seconds", &SweepRow::rtl_seconds},
-    {"software_ratio", &SweepRow::software_ratio},
+    {"software_s_per_mray", &SweepRow::software_s},
+    {"software_s_per_mray_lower", &SweepRow::software_s_lower},
+    {"software_s_per_mray_upper", &SweepRow::software_s_upper},
 });
-inline constexpr std::size_t sweep_time_columns = 2;
+inline constexpr std::size_t sweep_time_columns = 4;
 
 /// Throws std::out_of_range for a name that is none.
 [[nodiscard]] const SweepColumn& sweep_column(std::string_view name);

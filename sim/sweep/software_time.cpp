@@ -1,10 +1,11 @@
 #include "sim/sweep/software_time.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
-#include "area_model/price.hpp"
 #include "sim/generic_tracer.hpp"
 
 namespace hitpipe::sim {
@@ -61,16 +62,17 @@ SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int wid
 SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const AskedRay> rays)
     : scene_(scene), bvh_(bvh), batches_(listed_batches(scene, bvh, some_of(rays))) {}
 
-double SoftwareTime::seconds(const rtl::Design& design, const rtl::Format& format) const {
-  constexpr int runs = 3;
-  return ref::measure(*make_tracer(design, {format}, scene_.mesh, bvh_), batches_, runs).seconds;
-}
-
-double SoftwareTime::ratio(const rtl::Design& design, const rtl::Format& format) const {
-  const area::Entry& row = area::baseline_design();
-  if (design.name == row.design && format == row.format) return 1.0;
-  const double baseline = seconds(rtl::find_design(row.design), row.format);
-  return baseline > 0 ? milli(seconds(design, format) / baseline) : 0.0;
+std::optional<RunTime> SoftwareTime::of(const rtl::Design& design, const rtl::Format& format) const {
+  if (software_of(design).tracer == nullptr) return std::nullopt;
+  const std::unique_ptr<ref::Tracer> tracer = make_tracer(design, {format}, scene_.mesh, bvh_);
+  std::size_t rays = 0;
+  for (const ref::RecordedBatch& batch : batches_) rays += batch.rays.size();
+  if (rays == 0) return std::nullopt;
+  std::array<double, 9> runs{};
+  for (double& run : runs)
+    run = milli(1e6 * ref::measure(*tracer, batches_, 1).seconds / static_cast<double>(rays));
+  std::ranges::sort(runs);
+  return RunTime{.lower_s = runs[2], .median_s = runs[4], .upper_s = runs[6]};
 }
 
 }  // namespace hitpipe::sim

@@ -1,8 +1,7 @@
-// How long a design's software traversal takes, relative to the baseline design's. It measures
-// processor time of one thread for the same rays, including the exact triangle test.
+// How long a design's own traversal takes in software: processor time of one thread, the exact triangle test included.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +18,13 @@ namespace hitpipe::sim {
 [[nodiscard]] std::vector<ref::RecordedBatch> listed_batches(const ref::Scene& scene, const ref::Bvh& bvh,
                                                              std::span<const AskedRay> rays);
 
+/// Of repeated runs, for a million rays.
+struct RunTime {
+  double lower_s = 0;  ///< a quarter of the runs took less
+  double median_s = 0;
+  double upper_s = 0;  ///< a quarter took more
+};
+
 /// Thread-safe.
 class SoftwareTime {
  public:
@@ -30,13 +36,11 @@ class SoftwareTime {
   /// Takes rays of the list, evenly spaced, as many as such an image has pixels at most.
   SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const AskedRay> rays);
 
-  /// Times both now, one after the other, and takes the fastest of three runs of each. 1 for the baseline.
-  /// Throws what ref::make_tracer() throws.
-  [[nodiscard]] double ratio(const rtl::Design& design, const rtl::Format& format) const;
+  /// Measured now. Nothing for a design without a tracer of its own: the generic one is no measure of it. Throws what
+  /// ref::make_tracer() throws.
+  [[nodiscard]] std::optional<RunTime> of(const rtl::Design& design, const rtl::Format& format) const;
 
  private:
-  [[nodiscard]] double seconds(const rtl::Design& design, const rtl::Format& format) const;
-
   const ref::Scene& scene_;
   const ref::Bvh& bvh_;
   std::vector<ref::RecordedBatch> batches_;

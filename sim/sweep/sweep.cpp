@@ -33,7 +33,7 @@ struct MeasuredUnit {
   std::mutex making;
   std::optional<VerilatedDesign> verilated;
   std::optional<area::Price> price;
-  double software_ratio = 0;
+  std::optional<RunTime> software;
   ref::ReadBytes corners, indices;
   SetUpCost set_up;
   std::optional<area::Toggles> toggles;
@@ -143,7 +143,7 @@ class Run {
       const rtl::Library& library = *options_.library;
       unit.price = area::price(*point.design, point.format, library, area::Account::built,
                                rtl::FlowControl::stall, point.interval);
-      unit.software_ratio = reference_.software.ratio(*point.design, point.format);
+      unit.software = reference_.software.of(*point.design, point.format);
       const std::unique_ptr<ref::Tracer> tracer =
           make_tracer(*point.design, {point.format}, scene_.mesh, bvh_);
       const auto read = [&](ref::TriangleLayout layout) {
@@ -205,7 +205,11 @@ class Run {
     row.indexed_bytes_16kib = unit.indices.behind[1];
     row.indexed_bytes_64kib = unit.indices.behind[2];
     row.rtl_seconds = milli(result.rtl_seconds);
-    row.software_ratio = unit.software_ratio;
+    if (unit.software) {
+      row.software_s = unit.software->median_s;
+      row.software_s_lower = unit.software->lower_s;
+      row.software_s_upper = unit.software->upper_s;
+    }
     return row;
   }
 

@@ -137,8 +137,9 @@ rtl::VectorSet design_vectors(const rtl::Design& design, const rtl::Format& form
     add_categories<BoxCases>(set, *software.box_test(design, format), categories, at_ports, of_categories,
                              stream);
   } else if (software.triangle_test != nullptr) {
-    add_categories<TriangleCases>(set, *software.triangle_test(design, format), ref::int_categories(),
-                                  at_ports, of_categories, stream);
+    const auto test = software.triangle_test(design, format);
+    add_categories<TriangleCases>(set, *test, ref::int_categories(test->world()), at_ports, of_categories,
+                                  stream);
   }
   set.groups.push_back(at_ports.rare(set.groups, count - set.size()));
   return set;

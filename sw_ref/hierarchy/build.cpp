@@ -15,7 +15,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_invoke.h>
 
 #include "host/parallel.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
@@ -91,10 +90,8 @@ class Growth {
     const auto children = split(at, tree.root);
     tree.depth = at.depth;
     if (!children) return tree;
-    const auto grow_child = [&](std::size_t i) {
-      tree.children[i] = std::make_unique<Subtree>(grow((*children)[i]));
-    };
-    tbb::parallel_invoke([&] { grow_child(0); }, [&] { grow_child(1); });
+    host::for_each_index(
+        2, [&](std::size_t i) { tree.children[i] = std::make_unique<Subtree>(grow((*children)[i])); });
     tree.depth = std::max(tree.children[0]->depth, tree.children[1]->depth);
     return tree;
   }

@@ -23,6 +23,14 @@ struct BoxedChild {
   [[nodiscard]] bool is_branch() const { return count == branch; }
 };
 
+/// The same without the box.
+struct NodeRef {
+  std::uint32_t first = 0;
+  std::int32_t count = BoxedChild::branch;
+
+  [[nodiscard]] bool is_branch() const { return count == BoxedChild::branch; }
+};
+
 template <class S>
 concept NearFirstStore = requires(const S& store, const BoxedChild& node,
                                   std::array<BoxedChild, S::width>& children) {

@@ -16,4 +16,21 @@ Bvh small_leaves(const Bvh& bvh, int most) {
   return split;
 }
 
+Bvh joined_leaves(const Bvh& bvh, int most) {
+  Bvh joined = bvh;
+  // Children follow their branch, so they are leaves by then if they can be.
+  for (std::size_t i = joined.nodes.size(); i-- > 0;) {
+    BvhNode& node = joined.nodes[i];
+    if (node.is_leaf()) continue;
+    const BvhNode& left = joined.nodes[node.first];
+    const BvhNode& right = joined.nodes[node.first + 1];
+    if (left.is_leaf() && right.is_leaf() && left.count + right.count <= most &&
+        left.first + static_cast<std::uint32_t>(left.count) == right.first) {
+      node.count = left.count + right.count;
+      node.first = left.first;
+    }
+  }
+  return joined;
+}
+
 }  // namespace hitpipe::ref

@@ -9,4 +9,8 @@ namespace hitpipe::ref {
 /// box, so no box grows and none is too small. The order of the triangles stays.
 [[nodiscard]] Bvh small_leaves(const Bvh& bvh, int most);
 
+/// A branch above at most `most` triangles becomes a leaf, where those are tested together. Nodes below it
+/// stay, and nothing leads to them.
+[[nodiscard]] Bvh joined_leaves(const Bvh& bvh, int most);
+
 }  // namespace hitpipe::ref

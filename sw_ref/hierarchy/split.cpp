@@ -38,8 +38,8 @@ std::vector<Exchange> pair_up(std::vector<Run> highs, std::vector<Run> lows) {
 
 std::vector<Item> make_items(const Mesh& mesh) {
   std::vector<Item> items(mesh.triangles.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, items.size(), item_block), [&](const auto& block) {
-    for (std::size_t i = block.begin(); i < block.end(); ++i) {
+  host::for_each_block(0, items.size(), item_block, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
       items[i].triangle = static_cast<std::uint32_t>(i);
       const Mesh::Corners corners = mesh.corners(items[i].triangle);
       items[i].box.grow(corners.a);
@@ -68,7 +68,7 @@ void join_blocks(std::span<Item> items, const std::vector<std::size_t>& lows, st
     if (low.first < low.last) lows_above.push_back(low);
   }
   const std::vector<Exchange> pairs = pair_up(std::move(highs_below), std::move(lows_above));
-  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
+  host::for_each_index(pairs.size(), [&](std::size_t i) {
     const auto at = [&](std::size_t index) { return items.begin() + static_cast<std::ptrdiff_t>(index); };
     std::swap_ranges(at(pairs[i].low), at(pairs[i].low + pairs[i].count), at(pairs[i].high));
   });

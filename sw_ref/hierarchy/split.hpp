@@ -11,10 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_reduce.h>
-
+#include "host/parallel.hpp"
 #include "sw_ref/scene/aabb.hpp"
 #include "sw_ref/scene/mesh.hpp"
 
@@ -40,13 +37,12 @@ Value over_items(std::span<const Item> items, const Value& none, const Add& add,
     return value;
   };
   if (items.size() <= item_block) return add_all(0, items.size(), none);
-  return tbb::parallel_deterministic_reduce(
-      tbb::blocked_range<std::size_t>(0, items.size(), item_block), none,
-      [&](const auto& block, const Value& value) { return add_all(block.begin(), block.end(), value); },
-      [&](Value value, const Value& other) {
-        join(value, other);
-        return value;
-      });
+  std::vector<Value> values((items.size() + item_block - 1) / item_block);
+  host::for_each_block(0, items.size(), item_block, [&](std::size_t first, std::size_t last) {
+    values[first / item_block] = add_all(first, last, none);
+  });
+  for (std::size_t i = 1; i < values.size(); ++i) join(values[0], values[i]);
+  return values[0];
 }
 
 [[nodiscard]] Aabb bounds_of(std::span<const Item> items);
@@ -67,8 +63,8 @@ std::size_t partition(std::span<Item> items, const IsLow& is_low) {
   };
   if (items.size() <= item_block) return partition_block(0, items.size());
   std::vector<std::size_t> lows((items.size() + item_block - 1) / item_block);
-  tbb::parallel_for(std::size_t{0}, lows.size(), [&](std::size_t i) {
-    lows[i] = partition_block(i * item_block, std::min((i + 1) * item_block, items.size()));
+  host::for_each_block(0, items.size(), item_block, [&](std::size_t first, std::size_t last) {
+    lows[first / item_block] = partition_block(first, last);
   });
   std::size_t middle = 0;
   for (const std::size_t low : lows) middle += low;

@@ -18,6 +18,11 @@ namespace hitpipe::ref {
 /// Of a leaf: CWBVH counts in unary with three bits.
 inline constexpr int most_in_wide_leaf = 3;
 
+/// The planes of a node's children, those of a kind side by side, so that all children are tested together:
+/// min x, y, z, then max.
+template <int width>
+using ChildPlanes = std::array<std::array<float, width>, 6>;
+
 /// Where the branches and the triangles among the children begin. They follow in the order of the children.
 struct WidePointers {
   std::uint32_t nodes = 0;
@@ -62,27 +67,26 @@ struct alignas(16) WideNode {
     }
   }
 
-  [[nodiscard]] unsigned decoded(std::array<BoxedChild, width>& children) const {
-    const LocalGrid grid(origin, exponents);
+  [[nodiscard]] unsigned children() const {
     unsigned count = 0;
-    for (std::size_t i = 0; i < width; ++i) {
-      if (kinds[i] == 0) continue;
-      BoxedChild& child = children[count++];
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto low = static_cast<std::size_t>(axis);
-        child.box.min[axis] = grid.decoded(axis, planes[low][i]);
-        child.box.max[axis] = grid.decoded(axis, planes[low + 3][i]);
-      }
-      if ((branches >> i & 1U) != 0) {
-        const auto before = static_cast<std::uint32_t>(std::popcount(branches & ((1U << i) - 1)));
-        child.count = BoxedChild::branch;
-        child.first = first.nodes + before;
-      } else {
-        child.count = std::popcount(static_cast<unsigned>(kinds[i] >> 5U));
-        child.first = first.triangles + (kinds[i] & 31U);
-      }
-    }
+    while (count < width && kinds[count] != 0) ++count;
     return count;
+  }
+  [[nodiscard]] ChildPlanes<width> decoded_planes() const {
+    const LocalGrid grid(origin, exponents);
+    ChildPlanes<width> decoded;
+    for (std::size_t plane = 0; plane < 6; ++plane) {
+      for (std::size_t i = 0; i < width; ++i)
+        decoded[plane][i] = grid.decoded(static_cast<int>(plane % 3), planes[plane][i]);
+    }
+    return decoded;
+  }
+  [[nodiscard]] NodeRef child(std::size_t i) const {
+    if ((branches >> i & 1U) != 0) {
+      const auto before = static_cast<std::uint32_t>(std::popcount(branches & ((1U << i) - 1)));
+      return {first.nodes + before, BoxedChild::branch};
+    }
+    return {first.triangles + (kinds[i] & 31U), std::popcount(static_cast<unsigned>(kinds[i] >> 5U))};
   }
 
  private:
@@ -99,7 +103,7 @@ template <int width_>
 struct alignas(64) WideFloatNode {
   static constexpr int width = width_;
 
-  std::array<Aabb, width> boxes{};
+  ChildPlanes<width> planes{};
   std::array<std::uint32_t, width> first{};
   std::array<std::int8_t, width> counts{};  ///< as BoxedChild::count
   std::uint8_t children_count = 0;
@@ -108,7 +112,7 @@ struct alignas(64) WideFloatNode {
       : children_count(static_cast<std::uint8_t>(children.size())) {
     for (std::size_t i = 0; i < children.size(); ++i) {
       const BoxedChild& child = children[i];
-      boxes[i] = child.box;
+      for (unsigned plane = 0; plane < 6; ++plane) planes[plane][i] = child.box.plane(plane);
       counts[i] = static_cast<std::int8_t>(child.count);
       first[i] = child.is_branch() ? pointers.nodes : pointers.triangles;
       pointers.nodes += child.is_branch() ? 1 : 0;
@@ -116,10 +120,9 @@ struct alignas(64) WideFloatNode {
     }
   }
 
-  [[nodiscard]] unsigned decoded(std::array<BoxedChild, width>& children) const {
-    for (std::size_t i = 0; i < children_count; ++i) children[i] = {boxes[i], counts[i], first[i]};
-    return children_count;
-  }
+  [[nodiscard]] unsigned children() const { return children_count; }
+  [[nodiscard]] const ChildPlanes<width>& decoded_planes() const { return planes; }
+  [[nodiscard]] NodeRef child(std::size_t i) const { return {first[i], counts[i]}; }
 };
 static_assert(sizeof(WideFloatNode<4>) == 128 && sizeof(WideFloatNode<8>) == 256);
 

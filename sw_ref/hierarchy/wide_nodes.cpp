@@ -32,8 +32,8 @@ std::vector<std::uint32_t> opened(const Bvh& bvh, std::uint32_t node, std::size_
 }  // namespace
 
 template <class Stored>
-WideNodes<Stored>::WideNodes(const Bvh& bvh) {
-  const Bvh binary = small_leaves(bvh, most_in_wide_leaf);
+WideNodes<Stored>::WideNodes(const Bvh& bvh, int most_in_leaf) {
+  const Bvh binary = small_leaves(bvh, most_in_leaf);
   struct Pending {
     std::uint32_t binary;
     std::uint32_t wide;
@@ -64,7 +64,7 @@ WideNodes<Stored>::WideNodes(const Bvh& bvh) {
     }
     nodes_[at.wide] = Stored(box, children, first);
     std::array<BoxedChild, width> decoded;
-    const unsigned count = nodes_[at.wide].decoded(decoded);
+    const unsigned count = this->children({{}, BoxedChild::branch, at.wide}, decoded);
     for (unsigned i = 0; i < count; ++i) {
       if (!encloses(decoded[i].box, children[i].box))
         throw std::logic_error(fmt::format("wide nodes: a decoded box in node {} is too small", at.wide));

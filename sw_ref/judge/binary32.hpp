@@ -23,4 +23,11 @@ struct Binary32 {
                      : Binary32{fraction | 0x800000U, biased - 150, negative};
 }
 
+/// The least binary32 that is not below x, for an x that is 0..largest binary32.
+[[nodiscard]] inline float rounded_up(double x) {
+  const auto nearest = static_cast<float>(x);
+  // As x >= 0, this is the next larger one.
+  return nearest >= x ? nearest : std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) + 1U);
+}
+
 }  // namespace hitpipe::ref

@@ -6,6 +6,9 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "sw_ref/judge/floor_quotient.hpp"
+#include "sw_ref/judge/passage.hpp"
+#include "sw_ref/judge/quick_passage.hpp"
 #include "sw_ref/judge/wide_int.hpp"
 
 namespace hitpipe::ref {
@@ -58,26 +61,6 @@ struct ExactTime {
   WideInt denominator;
 };
 
-/// How a line passes a triangle.
-struct Passage {
-  WideVec a, b_cross_c;          ///< seen from the ray's origin
-  std::array<WideInt, 3> edges;  ///< on which side it passes the edge opposite each corner
-
-  Passage(const Mesh::Corners& corners, const Ray& ray) {
-    const WideVec origin = in_units(ray.origin);
-    const WideVec direction = in_units(ray.direction);
-    a = difference(in_units(corners.a), origin);
-    const WideVec b = difference(in_units(corners.b), origin);
-    const WideVec c = difference(in_units(corners.c), origin);
-    b_cross_c = cross(b, c);
-    edges = {dot(direction, b_cross_c), dot(direction, cross(c, a)), dot(direction, cross(a, b))};
-  }
-  /// b x c + c x a + a x b is the normal (b - a) x (c - a), so the sum is direction . normal.
-  [[nodiscard]] WideInt determinant() const { return edges[0] + edges[1] + edges[2]; }
-  /// a . normal
-  [[nodiscard]] WideInt height() const { return dot(a, b_cross_c); }
-};
-
 ExactTime exact_time(const Mesh::Corners& corners, const Ray& ray) {
   const Passage passage(corners, ray);
   const auto& [edge_bc, edge_ca, edge_ab] = passage.edges;
@@ -118,6 +101,60 @@ triangle_filter::Enclosure enclose_quotient(const ExactTime& t) {
   return {std::ldexp(static_cast<double>(low), exponent), std::ldexp(static_cast<double>(high), exponent)};
 }
 
+double with_sign(double size, bool negative) {
+  return negative && size > 0 ? -size : size;
+}
+double towards_zero(const WideInt& x, const WideInt& determinant) {
+  return with_sign(enclose_quotient({abs(x), abs(determinant)}).low, (x < 0) != (determinant < 0));
+}
+Uint128 size_of(QuickPassage::Number x) {
+  return static_cast<Uint128>(x < 0 ? -x : x);
+}
+double towards_zero(QuickPassage::Number x, QuickPassage::Number determinant) {
+  return with_sign(floor_quotient(size_of(x), size_of(determinant)), (x < 0) != (determinant < 0));
+}
+
+double wide_time(const Passage& passage) {
+  return towards_zero(passage.height(), passage.determinant());
+}
+/// The quotient is 0 or in [2^-122, 2^121], and the exponent in -254..254: nothing is rounded.
+double quick_time(const QuickPassage& passage) {
+  return std::ldexp(towards_zero(passage.height, passage.determinant()), passage.time_exponent);
+}
+
+struct WideProduct {
+  Uint128 high, low;
+
+  WideProduct(Uint128 a, Uint128 b) {
+    const auto upper = [](Uint128 x) { return static_cast<std::uint64_t>(x >> 64U); };
+    const auto lower = [](Uint128 x) { return static_cast<std::uint64_t>(x); };
+    const Uint128 least = static_cast<Uint128>(lower(a)) * lower(b);
+    const Uint128 one = static_cast<Uint128>(upper(a)) * lower(b) + upper(least);
+    const Uint128 other = static_cast<Uint128>(lower(a)) * upper(b) + lower(one);
+    high = static_cast<Uint128>(upper(a)) * upper(b) + upper(one) + upper(other);
+    low = (other << 64U) | lower(least);
+  }
+  [[nodiscard]] int compared_with(const WideProduct& that) const {
+    if (high != that.high) return high < that.high ? -1 : 1;
+    return low == that.low ? 0 : low < that.low ? -1 : 1;
+  }
+};
+
+/// The sign of the difference of two t, both >= 0. Nothing if 128 bits do not say it.
+std::optional<int> quick_order(const Mesh::Corners& left, const Mesh::Corners& right, const Ray& ray) {
+  const auto one = QuickPassage::of(left, ray);
+  const auto other = QuickPassage::of(right, ray);
+  if (!one || !other) return std::nullopt;
+  // A height has 121 bits.
+  constexpr int most_shift = 6;
+  const int shift = one->time_exponent - other->time_exponent;
+  if (shift > most_shift || shift < -most_shift) return std::nullopt;
+  const Uint128 height = size_of(one->height) << (shift > 0 ? shift : 0);
+  const Uint128 other_height = size_of(other->height) << (shift < 0 ? -shift : 0);
+  return WideProduct(height, size_of(other->determinant()))
+      .compared_with(WideProduct(other_height, size_of(one->determinant())));
+}
+
 }  // namespace
 
 namespace triangle_filter {
@@ -135,6 +172,8 @@ bool enclose_exactly(const Mesh::Corners& corners, const Ray& ray, Enclosure& t)
 }
 
 bool before_exactly(const Mesh& mesh, std::uint32_t left, std::uint32_t right, const Ray& ray) {
+  if (const auto order = quick_order(mesh.corners(left), mesh.corners(right), ray))
+    return *order != 0 ? *order < 0 : left < right;
   const ExactTime left_time = exact_time(mesh.corners(left), ray);
   const ExactTime right_time = exact_time(mesh.corners(right), ray);
   const WideInt left_side = left_time.numerator * right_time.denominator;
@@ -158,29 +197,30 @@ bool has_area(const SourceMesh::Corners& corners) {
 }
 
 std::optional<PlanePoint> plane_point(const Mesh::Corners& corners, const Ray& ray) {
-  const Passage passage(corners, ray);
-  const WideInt determinant = passage.determinant();
-  if (determinant == 0) return std::nullopt;
-  const auto over_determinant = [&](const WideInt& x) {
-    const bool negative = (x < 0) != (determinant < 0);
-    const double size = enclose_quotient({abs(x), abs(determinant)}).low;
-    return negative && size > 0 ? -size : size;
+  const auto point = [](const auto& passage, const auto& t) -> std::optional<PlanePoint> {
+    const auto determinant = passage.determinant();
+    if (determinant == 0) return std::nullopt;
+    PlanePoint made{.t = t(passage), .weights = {}};
+    for (std::size_t i = 0; i < 3; ++i) made.weights[i] = towards_zero(passage.edges[i], determinant);
+    return made;
   };
-  PlanePoint point{.t = over_determinant(passage.height()), .weights = {}};
-  for (std::size_t i = 0; i < 3; ++i) point.weights[i] = over_determinant(passage.edges[i]);
-  return point;
+  if (const auto quick = QuickPassage::of(corners, ray)) return point(*quick, quick_time);
+  return point(Passage(corners, ray), wide_time);
+}
+
+std::optional<double> plane_distance(const Mesh::Corners& corners, const Ray& ray) {
+  const auto distance = [](const auto& passage, const auto& t) {
+    return passage.determinant() == 0 ? std::nullopt : std::optional<double>(t(passage));
+  };
+  if (const auto quick = QuickPassage::of(corners, ray)) return distance(*quick, quick_time);
+  return distance(Passage(corners, ray), wide_time);
 }
 
 float cull_length(const Hit& hit) {
   if (!(hit.t_high <= std::numeric_limits<float>::max())) {
     return std::numeric_limits<float>::infinity();
   }
-  const auto nearest = static_cast<float>(hit.t_high);
-  if (nearest >= hit.t_high) {
-    return nearest;
-  }
-  // As t >= 0, this is the next larger binary32.
-  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) + 1U);
+  return rounded_up(hit.t_high);
 }
 
 bool has_area(const Mesh::Corners& corners) {

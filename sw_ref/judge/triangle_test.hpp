@@ -39,15 +39,20 @@ struct Hit {
 /// Tests one triangle against an acceptable ray and keeps the better hit in `best`. `best` must come from the
 /// same mesh and ray. True if `best` changed. Corners and ray are finite binary32 values.
 bool intersect_triangle(const Mesh& mesh, std::uint32_t triangle, const Ray& ray, Hit& best);
+/// The same with the triangle's corners at hand.
+bool intersect_triangle(const Mesh& mesh, std::uint32_t triangle, const Mesh::Corners& corners,
+                        const Ray& ray, Hit& best);
 
 /// Where the line of a ray meets the plane of a triangle, in exact arithmetic. Each number is then a
-/// neighbouring double, or itself. No weight is negative if the point lies in the triangle.
+/// neighbouring double towards 0, or itself. No weight is negative if the point lies in the triangle.
 struct PlanePoint {
   double t;
   std::array<double, 3> weights;  ///< of the corners
 };
 /// Nothing when the line is parallel to the plane.
 [[nodiscard]] std::optional<PlanePoint> plane_point(const Mesh::Corners& corners, const Ray& ray);
+/// PlanePoint::t alone, which takes less time.
+[[nodiscard]] std::optional<double> plane_distance(const Mesh::Corners& corners, const Ray& ray);
 
 /// A ray length for culling boxes: binary32, never below the exact t; infinite without a hit.
 [[nodiscard]] float cull_length(const Hit& hit);
@@ -159,8 +164,12 @@ inline Verdict classify(const Mesh::Corners& corners, const Ray& ray, Enclosure&
 }  // namespace triangle_filter
 
 inline bool intersect_triangle(const Mesh& mesh, std::uint32_t triangle, const Ray& ray, Hit& best) {
+  return intersect_triangle(mesh, triangle, mesh.corners(triangle), ray, best);
+}
+
+inline bool intersect_triangle(const Mesh& mesh, std::uint32_t triangle, const Mesh::Corners& corners,
+                               const Ray& ray, Hit& best) {
   using triangle_filter::Verdict;
-  const Mesh::Corners corners = mesh.corners(triangle);
   triangle_filter::Enclosure t{};
   const Verdict verdict = triangle_filter::classify(corners, ray, t);
   if (verdict == Verdict::miss) {

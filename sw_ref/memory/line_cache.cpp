@@ -10,10 +10,22 @@ LineCache::LineCache(const CacheShape& shape) : ways_(shape.ways) {
   if (shape.bytes == 0) return;
   const std::uint64_t lines = std::max<std::uint64_t>(1, shape.bytes / shape.line_bytes);
   if (ways_ == 0) ways_ = lines;
-  sets_.resize(std::max<std::uint64_t>(1, lines / ways_));
+  const std::uint64_t sets = std::max<std::uint64_t>(1, lines / ways_);
+  if (shape.replacement == Replacement::by_age)
+    aged_.resize(sets * ways_);
+  else
+    sets_.resize(sets);
 }
 
 bool LineCache::use(std::uint32_t line) {
+  if (by_age()) {
+    const std::span<Aged> set = ways_of(line);
+    const auto found =
+        std::find_if(set.begin(), set.end(), [&](const Aged& way) { return way.line == line; });
+    if (found == set.end()) return false;
+    set_age(set, *found, 0);
+    return true;
+  }
   if (line >= lines_.size() || !lines_[line].present) return false;
   Set& set = set_of(line);
   if (set.newest != line) {
@@ -24,6 +36,14 @@ bool LineCache::use(std::uint32_t line) {
 }
 
 void LineCache::place(std::uint32_t line) {
+  if (by_age()) {
+    const std::span<Aged> set = ways_of(line);
+    // Some way has the highest age, from the beginning on.
+    Aged& leaving = *std::find_if(set.begin(), set.end(), [](const Aged& way) { return way.age == oldest; });
+    leaving.line = line;
+    set_age(set, leaving, 2);
+    return;
+  }
   if (sets_.empty()) return;
   if (line >= lines_.size()) lines_.resize(std::size_t{line} + 1);
   Set& set = set_of(line);
@@ -36,6 +56,14 @@ void LineCache::place(std::uint32_t line) {
   }
   lines_[line].present = true;
   link(set, line);
+}
+
+void LineCache::set_age(std::span<Aged> set, Aged& of, int age) {
+  of.age = age;
+  const int most = std::max_element(set.begin(), set.end(), [](const Aged& a, const Aged& b) {
+                     return a.age < b.age;
+                   })->age;
+  for (Aged& way : set) way.age += oldest - most;
 }
 
 void LineCache::link(Set& set, std::uint32_t line) {

@@ -24,7 +24,8 @@ void join_positions(SourceMesh& mesh) {
   constexpr std::uint32_t none = ~0U;
   constexpr std::uint32_t used = none - 1;
   std::vector<std::uint32_t> renumbered(mesh.vertices.size(), none);
-  for (const glm::uvec3& t : mesh.triangles) renumbered[t.x] = renumbered[t.y] = renumbered[t.z] = used;
+  for (const auto* const all : {&mesh.triangles, &mesh.dropped_corners})
+    for (const glm::uvec3& t : *all) renumbered[t.x] = renumbered[t.y] = renumbered[t.z] = used;
   // Open addressing at a load of at most one half; entries are new vertex numbers.
   std::vector<std::uint32_t> table(std::bit_ceil(2 * mesh.vertices.size()), none);
   const std::uint64_t mask = table.size() - 1;
@@ -41,7 +42,8 @@ void join_positions(SourceMesh& mesh) {
   }
   mesh.vertices.resize(kept);
   mesh.vertices.shrink_to_fit();
-  for (glm::uvec3& t : mesh.triangles) t = {renumbered[t.x], renumbered[t.y], renumbered[t.z]};
+  for (auto* const all : {&mesh.triangles, &mesh.dropped_corners})
+    for (glm::uvec3& t : *all) t = {renumbered[t.x], renumbered[t.y], renumbered[t.z]};
 }
 
 }  // namespace hitpipe::ref

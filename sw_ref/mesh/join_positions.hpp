@@ -5,7 +5,7 @@
 
 namespace hitpipe::ref {
 
-/// Keeps each position that a triangle uses once, in the order of first appearance.
+/// Keeps each position that a triangle uses, a dropped one too, once, in the order of first appearance.
 void join_positions(SourceMesh& mesh);
 
 }  // namespace hitpipe::ref

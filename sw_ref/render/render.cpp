@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include "host/parallel.hpp"
 #include "sw_ref/judge/triangle_test.hpp"
@@ -260,9 +258,11 @@ RenderResult render(const Scene& scene, const Tracer& tracer, const RenderOption
   // Tiles are small; a thousand steps of progress are enough.
   const auto steps = [&](std::size_t done) { return 1000 * done / count; };
   host::with_threads(options.threads, [&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(mine.first, mine.end), [&](const auto& range) {
+    // A renderer serves several tiles, and no thread waits long for the last ones.
+    const std::size_t block = std::clamp<std::size_t>(count / 256, 1, 64);
+    host::for_each_block(mine.first, mine.end, block, [&](std::size_t first, std::size_t last) {
       TileRenderer renderer(frame, result);
-      for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {
+      for (std::size_t tile = first; tile < last; ++tile) {
         renderer.run(tile);
         const std::size_t done = ++finished;
         if (steps(done) != steps(done - 1))

@@ -19,7 +19,9 @@ struct MeshOf {
   std::vector<glm::uvec3> triangles;    ///< indices into `vertices`
   std::vector<std::uint8_t> materials;  ///< one per triangle, index into Scene::materials; empty: all 0
   std::vector<std::uint32_t> dropped;   ///< numbers of the triangles that the mesh lacks, ascending
-  std::uint32_t without_area = 0;       ///< how many of those have no area in the source
+  /// By dropped triangle: its corners, indices into `vertices`. Empty if they are not known.
+  std::vector<glm::uvec3> dropped_corners;
+  std::uint32_t without_area = 0;  ///< how many of those have no area in the source
   /// By face of the file: the number of its first triangle, ascending. Empty: face i is triangle i.
   std::vector<std::uint32_t> faces;
 
@@ -47,6 +49,7 @@ template <class To, class From>
           .triangles = std::move(mesh.triangles),
           .materials = std::move(mesh.materials),
           .dropped = std::move(mesh.dropped),
+          .dropped_corners = std::move(mesh.dropped_corners),
           .without_area = mesh.without_area,
           .faces = std::move(mesh.faces)};
 }

@@ -21,17 +21,25 @@ void drop_from(MeshOf<Vertex>& mesh, std::span<const std::uint32_t> triangles) {
   if (triangles.empty()) return;
   std::vector<std::uint32_t> dropped;
   dropped.reserve(mesh.dropped.size() + triangles.size());
+  std::vector<glm::uvec3> corners;
+  corners.reserve(dropped.capacity());
+  const bool known = mesh.dropped_corners.size() == mesh.dropped.size();
   auto earlier = mesh.dropped.begin();
   auto now = triangles.begin();
   std::uint32_t number = 0;
   const auto skip_earlier = [&] {
-    for (; earlier != mesh.dropped.end() && *earlier == number; ++earlier) dropped.push_back(number++);
+    for (; earlier != mesh.dropped.end() && *earlier == number; ++earlier) {
+      if (known)
+        corners.push_back(mesh.dropped_corners[static_cast<std::size_t>(earlier - mesh.dropped.begin())]);
+      dropped.push_back(number++);
+    }
   };
   std::size_t kept = 0;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i, ++number) {
     skip_earlier();
     if (now != triangles.end() && *now == i) {
       dropped.push_back(number);
+      corners.push_back(mesh.triangles[i]);
       ++now;
       continue;
     }
@@ -43,6 +51,7 @@ void drop_from(MeshOf<Vertex>& mesh, std::span<const std::uint32_t> triangles) {
   mesh.triangles.resize(kept);
   if (!mesh.materials.empty()) mesh.materials.resize(kept);
   mesh.dropped = std::move(dropped);
+  if (known) mesh.dropped_corners = std::move(corners);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace hitpipe::ref {
 [[nodiscard]] std::vector<std::uint32_t> flat_triangles(const SourceMesh& mesh);
 [[nodiscard]] std::vector<std::uint32_t> flat_triangles(const Mesh& mesh);
 
-/// Takes triangles out of the mesh, ascending ones, and adds their numbers to MeshOf::dropped.
+/// Takes triangles out of the mesh, ascending ones, and adds them to MeshOf::dropped.
 void drop(SourceMesh& mesh, std::span<const std::uint32_t> triangles);
 void drop(Mesh& mesh, std::span<const std::uint32_t> triangles);
 

@@ -36,13 +36,23 @@ struct SlabDistances {
   }
 };
 
+/// The IRDVC, >= 0. 1/0 is infinite, and infinity times 0 is NaN. In binary32 a component that is neither 0
+/// nor in [2^-100, 2^100] gets NaN, so its slab is no constraint. In binary64 no inverse leaves the range.
+template <class T>
+[[nodiscard]] T slab_inverse(float d) {
+  const float size = std::fabs(d);
+  const bool bounded = sizeof(T) > sizeof(float) || size == 0.0F || (size >= 0x1p-100F && size <= 0x1p100F);
+  return bounded ? T(1) / T(size) : std::numeric_limits<T>::quiet_NaN();
+}
+
 /// The mirrored ray that both tests use.
 template <class T>
 class SlabRay {
  public:
   explicit SlabRay(const Ray& ray)
       : mirror_(ray.direction),
-        irdvc_(inverse(ray.direction.x), inverse(ray.direction.y), inverse(ray.direction.z), 0) {
+        irdvc_(slab_inverse<T>(ray.direction.x), slab_inverse<T>(ray.direction.y),
+               slab_inverse<T>(ray.direction.z), 0) {
     const glm::vec3 origin = mirror_(ray.origin);
     origin_ = {origin.x, origin.y, origin.z, 0};
     cut(ray.length);
@@ -63,14 +73,6 @@ class SlabRay {
   }
 
  private:
-  /// The IRDVC, >= 0. 1/0 is infinite, and infinity times 0 is NaN. In binary32 a component that is neither 0
-  /// nor in [2^-100, 2^100] gets NaN, so its slab is no constraint. In binary64 no inverse leaves the range.
-  static T inverse(float d) {
-    const float size = std::fabs(d);
-    const bool bounded = sizeof(T) > sizeof(float) || size == 0.0F || (size >= 0x1p-100F && size <= 0x1p100F);
-    return bounded ? T(1) / T(size) : std::numeric_limits<T>::quiet_NaN();
-  }
-
   Mirror mirror_;
   Lanes<T> origin_;
   Lanes<T> irdvc_;  ///< and the length
@@ -114,7 +116,7 @@ class Slabs {
 };
 
 /// Conservative: false only when no exact point origin + t * direction, 0 <= t <= length, lies in the closed
-/// box. Coordinates of box and origin must not exceed 2 in magnitude.
+/// box. Coordinates of box and origin must not exceed 2^25 in magnitude.
 class ConservativeSlabs {
  public:
   using Distance = float;
@@ -136,7 +138,7 @@ class ConservativeSlabs {
  private:
   /// Let u = 2^-24. For 2^-100 <= |d| <= 2^100 the exact distance t = (x - o) / d is computed with three
   /// roundings (difference, inverse, product). A difference of floats never underflows inexactly. |x - o| <=
-  /// 4 and the inverse lies in [2^-100, 2^100], so nothing overflows and only the product can underflow:
+  /// 2^26 and the inverse lies in [2^-100, 2^100], so nothing overflows and only the product can underflow:
   ///     |computed - t| <= g |t| + e,   g = (1 + u)^3 - 1 < 4 u,   e = 2^-150,
   /// and computed has the sign of t or is 0.
   /// Let the exact ray be in the box at t*, 0 <= t* <= length. Then each exact near <= t* <= each exact far, so
@@ -150,7 +152,7 @@ class ConservativeSlabs {
   /// widened: 0 <= length, and 0 <= t* <= far'. (A fused multiply-add has one rounding fewer; the proof still
   /// holds.) A zero d gives an infinite inverse. Both distances are then infinite with the sign of the side,
   /// which is exact, or NaN if o lies in the face, and then the slab is no constraint. Cutting an infinite
-  /// length to the largest finite float makes near = +infinity a miss; no finite near exceeds 2^103. For any
+  /// length to the largest finite float makes near = +infinity a miss; no finite near exceeds 2^127. For any
   /// other d the slab is no constraint.
   [[nodiscard]] SlabDistances<float> widened(const MirroredBox<float>& box) const {
     constexpr float c = 0x1p-20F;

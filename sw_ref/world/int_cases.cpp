@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "sw_ref/world/int128.hpp"
@@ -283,7 +284,63 @@ IntCase make_touching(Random& random, const WorldBits& bits) {
   return made;
 }
 
-constexpr std::array<IntCategory, 12> all_categories{{
+/// Corners at these ways from a point of the ray, in any order. Nothing: one is outside the cube.
+std::optional<IntCase> at_ways(Random& random, const Through& through, const std::array<Point, 3>& ways,
+                               const WorldBits& bits) {
+  IntCase made{through.ray, {}};
+  const std::size_t first = random.below(3);
+  const bool turned = random.coin();
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto& corner = made.triangle.corners[turned ? (first + i) % 3 : (first + 3 - i) % 3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int64_t place = through.point[axis] + ways[i][axis];
+      if (std::abs(place) > bits.largest_corner()) return std::nullopt;
+      corner[axis] = static_cast<std::int32_t>(place);
+    }
+  }
+  return made;
+}
+
+Point sum_of(const Point& p, const Point& q, std::int64_t times) {
+  return {p[0] + times * q[0], p[1] + times * q[1], p[2] + times * q[2]};
+}
+
+/// The direction on the grid of corners.
+Point step_of(const Through& through, const WorldBits& bits) {
+  Point step{};
+  for (std::size_t axis = 0; axis < 3; ++axis) step[axis] = through.ray.direction[axis] >> (bits.slope - 2);
+  return step;
+}
+
+/// Two corners are in the plane of the ray and slot a, so a move along slot a adds 0 to the number of their edge.
+/// The ray goes through the middle of the edge or through a corner.
+IntCase make_tie(Random& random, const WorldBits& bits) {
+  for (;;) {
+    const Through through = through_a_point(random, bits);
+    const std::int64_t size = any_size(random, bits);
+    Point way{};
+    way[through.ray.major == 1 ? 0 : 1] = number(random, -size, size);
+    way = sum_of(way, step_of(through, bits), number(random, -2, 2));
+    const Point other = one_in(random, 3) ? Point{} : sum_of({}, way, -1);
+    const Point third = anywhere(random, std::min(size, bits.largest_corner()));
+    if (const auto made = at_ways(random, through, {way, other, third}, bits)) return *made;
+  }
+}
+
+/// The third corner is beside the plane of the ray and the first two. The ray goes through the middle of their
+/// edge or through a corner, so det is near 0 and the hit a tie.
+IntCase make_edge_on(Random& random, const WorldBits& bits) {
+  for (;;) {
+    const Through through = through_a_point(random, bits);
+    const Point way = anywhere(random, std::min(any_size(random, bits), bits.largest_corner()));
+    const Point other = one_in(random, 3) ? Point{} : sum_of({}, way, -1);
+    const Point beside = sum_of(anywhere(random, 1), way, number(random, -1, 1));
+    const Point third = sum_of(beside, step_of(through, bits), number(random, -3, 3));
+    if (const auto made = at_ways(random, through, {way, other, third}, bits)) return *made;
+  }
+}
+
+constexpr std::array<IntCategory, 14> all_categories{{
     {"anywhere", "any ray and any triangle", make_anywhere},
     {"inside", "aimed at the inside of a triangle", make_inside},
     {"edge", "through an edge", make_edge},
@@ -296,12 +353,15 @@ constexpr std::array<IntCategory, 12> all_categories{{
     {"widest", "determinants at the ends of their ranges", make_widest},
     {"flat", "equal corners", make_flat},
     {"touching", "the ray starts on the triangle", make_touching},
+    {"tie", "through an edge that needs the second part of the move", make_tie},
+    {"edge_on", "through an edge of a triangle that is nearly in the ray's plane", make_edge_on},
 }};
 
 }  // namespace
 
-std::span<const IntCategory> int_categories() {
-  return all_categories;
+std::span<const IntCategory> int_categories(const WorldBits& bits) {
+  constexpr std::size_t about_ties = 2;
+  return std::span(all_categories).first(all_categories.size() - (bits.crossings == 0 ? about_ties : 0));
 }
 
 void int_neighbours(Random& random, const IntTriangle& triangle, const WorldBits& bits,

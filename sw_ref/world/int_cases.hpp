@@ -22,7 +22,8 @@ struct IntCategory {
   IntCase (*make)(adversary::Random& random, const hls::WorldBits& bits);
 };
 
-[[nodiscard]] std::span<const IntCategory> int_categories();
+/// In order. Those about ties come last, and only in a format with crossings.
+[[nodiscard]] std::span<const IntCategory> int_categories(const hls::WorldBits& bits);
 
 /// The ray and other triangles: the first is the triangle itself, the others have a corner moved by a few
 /// units, two corners exchanged, or a corner in the place of another.

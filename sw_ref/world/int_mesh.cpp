@@ -88,6 +88,16 @@ std::uint32_t lost_on_grid(const Mesh& mesh, int coord_bits) {
       }));
 }
 
+Closedness closedness(const IntMesh& mesh) {
+  Mesh on_grid;  // corners have at most 23 bits, so binary32 holds them
+  for (const IntTriangle& triangle : mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(on_grid.vertices.size());
+    for (const auto& [x, y, z] : triangle.corners) on_grid.vertices.emplace_back(x, y, z);
+    on_grid.triangles.emplace_back(first, first + 1, first + 2);
+  }
+  return closedness(on_grid);
+}
+
 std::vector<IntBox> int_boxes(const IntMesh& mesh, const Bvh& bvh) {
   std::vector<IntBox> boxes(bvh.nodes.size(), empty_box());
   // Children come after their parents.

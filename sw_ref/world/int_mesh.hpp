@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/mesh/closed.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/scene/mesh.hpp"
 #include "sw_ref/scene/normalise.hpp"
@@ -30,6 +31,10 @@ struct IntMesh {
 
 /// How many triangles of the mesh would lose their area on a grid of so many bits.
 [[nodiscard]] std::uint32_t lost_on_grid(const Mesh& mesh, int coord_bits);
+
+/// Of the triangles that are there, in units of the grid. So even() is true if and only if no line of this world
+/// crosses them an odd number of times. Triangles have their numbers in the integer mesh.
+[[nodiscard]] Closedness closedness(const IntMesh& mesh);
 
 /// By node of the hierarchy: the smallest box of all corners below. A node without triangles is not in a
 /// hierarchy.

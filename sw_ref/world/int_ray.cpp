@@ -12,7 +12,6 @@
 #include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/major_quotient.hpp"
 #include "sw_ref/quantise/ray_check.hpp"
-#include "sw_ref/world/int128.hpp"
 
 namespace hitpipe::ref {
 
@@ -26,12 +25,13 @@ std::int64_t slope(float other, float major, int bits) {
   const Binary32 below = decode(major);
   // other / major = above.mantissa / below.mantissa 2^-down.
   const int down = below.exponent - above.exponent;
-  if (down - bits > 60) return 0;
-  const auto rounded = [](Int128 numerator, Int128 denominator) {
+  // Then the major component is not subnormal, so its mantissa is at least 2^23 and the slope below 1/2.
+  if (down - bits > 26) return 0;
+  const auto rounded = [](std::uint64_t numerator, std::uint64_t denominator) {
     return static_cast<std::int64_t>((2 * numerator + denominator) / (2 * denominator));
   };
-  const Int128 numerator = above.mantissa;
-  const Int128 denominator = below.mantissa;
+  const std::uint64_t numerator = above.mantissa;  // below 2^24, and shifted by S below 2^56
+  const std::uint64_t denominator = below.mantissa;
   return down <= bits ? rounded(numerator << (bits - down), denominator)
                       : rounded(numerator, denominator << (down - bits));
 }
@@ -70,6 +70,22 @@ IntRay int_ray(const Ray& ray, const hls::WorldBits& bits) {
   return made;
 }
 
+Ray binary32_ray(const IntRay& ray, const hls::WorldBits& bits) {
+  Ray made;
+  const auto scale = static_cast<double>(bits.largest_point());
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    made.origin[axis] = static_cast<float>(static_cast<double>(ray.origin[i]) / scale);
+    auto size = static_cast<float>(std::abs(ray.direction[i]));
+    // It keeps its sign, and its slope is 0.
+    if (ray.direction[i] == 0) size = 0x1p-100F;
+    // Of components as long as the longest, the first one is the major axis.
+    if (axis < ray.major && std::abs(ray.direction[i]) == bits.one()) size = std::nextafter(size, 0.0F);
+    made.direction[axis] = ray.negative[i] ? -size : size;
+  }
+  return made;
+}
+
 IntMajorRay major_ray(const IntRay& ray, const hls::MajorBits& bits) {
   IntMajorRay made;
   made.axes = {0, 1, 2};
@@ -81,6 +97,12 @@ IntMajorRay major_ray(const IntRay& ray, const hls::MajorBits& bits) {
     if (ray_axis > 0) made.quotient[ray_axis - 1] = inverse_of(std::abs(ray.direction[axis]), bits);
   }
   return made;
+}
+
+double t_of_distance(std::int64_t t, const Ray& ray, const hls::WorldBits& bits) {
+  const std::int64_t one = grid_scale(bits.coord) << (bits.finer + bits.fraction);
+  return static_cast<double>(t) / static_cast<double>(one) /
+         std::fabs(ray.direction[major_axis(ray.direction)]);
 }
 
 }  // namespace hitpipe::ref

@@ -28,10 +28,16 @@ struct IntRay {
 /// finite or zero, for a length that is negative or NaN, and for a format that does not exist.
 [[nodiscard]] IntRay int_ray(const Ray& ray, const hls::WorldBits& bits);
 
+/// A ray of which int_ray() makes this one. It has no end; S is at most 23, and n+g at most 25, else it is one beside it.
+[[nodiscard]] Ray binary32_ray(const IntRay& ray, const hls::WorldBits& bits);
+
 /// The same ray as operands of a unit with a major axis in the integer world: `bits` is n+g/pfFsS with the n,
 /// g and S of the ray. The origin is negated, and where a slope is 0, both mantissas are 2^(p-1) with the
 /// largest exponent.
 [[nodiscard]] IntMajorRay major_ray(const IntRay& ray, const hls::MajorBits& bits);
+
+/// T as a parameter of the binary32 ray: in units of its direction.
+[[nodiscard]] double t_of_distance(std::int64_t t, const Ray& ray, const hls::WorldBits& bits);
 
 /// A distance T in the units of a box distance, rounded down. The unit of T is 2^-F of the origin's unit.
 [[nodiscard]] constexpr std::int64_t in_box_units(std::int64_t t, const hls::WorldBits& world,

@@ -1,46 +1,17 @@
 #include "sw_ref/world/int_tracer.hpp"
 
-#include <algorithm>
-#include <array>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "sw_ref/trace/int_major.hpp"
 #include "sw_ref/trace/leaf_test.hpp"
-#include "sw_ref/world/int_meets.hpp"
-#include "sw_ref/world/int_world.hpp"
+#include "sw_ref/world/int_box_tests.hpp"
 
 namespace hitpipe::ref {
 
 namespace {
-
-class ExactBoxes {
- public:
-  ExactBoxes(const IntRay& ray, const IntTracerOptions& options) : ray_(&ray), bits_(options.world) {}
-  void cut(std::int64_t length) { length_ = length; }
-  [[nodiscard]] bool operator()(const IntBox& box) const { return int_meets(*ray_, box, length_, bits_); }
-
- private:
-  const IntRay* ray_;
-  hls::WorldBits bits_;
-  std::int64_t length_ = 0;
-};
-
-class MajorBoxes {
- public:
-  MajorBoxes(const IntRay& ray, const IntTracerOptions& options)
-      : world_(options.world), bits_(*options.boxes), distances_(major_ray(ray, bits_), bits_) {}
-  void cut(std::int64_t length) { length_ = in_box_units(length, world_, bits_); }
-  [[nodiscard]] bool operator()(const IntBox& box) const { return distances_.meets(box, length_); }
-
- private:
-  hls::WorldBits world_;
-  hls::MajorBits bits_;
-  MajorDistances distances_;
-  std::int64_t length_ = 0;
-};
 
 template <class Boxes>
 class IntTracer final : public Tracer {
@@ -68,17 +39,11 @@ class IntTracer final : public Tracer {
  private:
   std::uint32_t trace_one(const IntRay& ray, Query query, TraceCounts& work) const {
     IntBoxWalk walk(*bvh_, IntWorld(*bvh_, ray), query);
-    Boxes test(ray, options_);
-    test.cut(walk.length());
-    while (!walk.done()) {
-      if (!walk.at_triangle()) {
-        walk.answer(test(boxes_[walk.node()]));
-        continue;
-      }
-      const auto crossing = int_crossing(ray, mesh_->triangles[walk.triangle()], options_.world);
-      walk.answer_triangle(crossing.has_value(), crossing ? crossing->t : 0);
-      if (crossing) test.cut(walk.length());
-    }
+    walk_boxes(walk, Boxes(ray, options_), boxes_,
+               [&](std::uint32_t triangle) -> std::optional<std::int64_t> {
+                 const auto crossing = int_crossing(ray, mesh_->triangles[triangle], options_.world);
+                 return crossing ? std::optional(crossing->t) : std::nullopt;
+               });
     work = walk.counts();
     return walk.hit().triangle;
   }
@@ -89,7 +54,9 @@ class IntTracer final : public Tracer {
   std::vector<IntBox> boxes_;
 };
 
-void check(const IntMesh& mesh, const IntTracerOptions& options) {
+}  // namespace
+
+void check_world(const IntMesh& mesh, const IntTracerOptions& options) {
   const hls::WorldBits& world = options.world;
   if (!world.proved() || mesh.coord_bits != world.coord)
     throw std::invalid_argument(
@@ -97,8 +64,6 @@ void check(const IntMesh& mesh, const IntTracerOptions& options) {
                     world.finer, world.slope, world.fraction, mesh.coord_bits));
   if (options.boxes) check_box_format(world, *options.boxes);
 }
-
-}  // namespace
 
 void check_box_format(const hls::WorldBits& world, const hls::MajorBits& bits) {
   if (!bits.proved() || bits.coord != world.coord || bits.finer != world.finer || bits.slope != world.slope ||
@@ -110,7 +75,7 @@ void check_box_format(const hls::WorldBits& world, const hls::MajorBits& bits) {
 }
 
 std::unique_ptr<Tracer> int_tracer(const IntMesh& mesh, const Bvh* bvh, const IntTracerOptions& options) {
-  check(mesh, options);
+  check_world(mesh, options);
   if (options.boxes) return std::make_unique<IntTracer<MajorBoxes>>(mesh, bvh, options);
   return std::make_unique<IntTracer<ExactBoxes>>(mesh, bvh, options);
 }

@@ -24,9 +24,12 @@ struct IntTracerOptions {
 /// Throws std::invalid_argument, one line, when boxes of the format cannot be tested for rays of the world.
 void check_box_format(const hls::WorldBits& world, const hls::MajorBits& boxes);
 
+/// Throws std::invalid_argument, one line, when formats do not fit each other or the mesh.
+void check_world(const IntMesh& mesh, const IntTracerOptions& options);
+
 /// `bvh` is a hierarchy over mesh.mesh; nothing, for a mesh without triangles, which no ray hits. Boxes are
 /// made from the corners, so a box of the hierarchy need not hold them. Mesh and hierarchy must outlive the
-/// tracer. Throws std::invalid_argument, one line, when formats do not fit each other or the mesh.
+/// tracer. Throws as check_world().
 [[nodiscard]] std::unique_ptr<Tracer> int_tracer(const IntMesh& mesh, const Bvh* bvh,
                                                  const IntTracerOptions& options);
 

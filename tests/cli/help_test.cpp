@@ -124,7 +124,7 @@ TEST(HelpOfCommands, TellsTheSameOfEverySeed) {
     const std::size_t next = help.find("\n  --", at + 1);
     said.push_back(help.substr(at, next - at));
   }
-  ASSERT_EQ(said.size(), 6U);  // rtl, check, report, implement, board, core rtl
+  ASSERT_EQ(said.size(), 8U);  // rtl, render, check, report, implement, board, core rtl, core trace
   for (const std::string& each : said) EXPECT_EQ(each, said[0]);
   EXPECT_THAT(said[0], HasSubstr("--seed N=1 "));
 }

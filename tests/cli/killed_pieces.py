@@ -55,8 +55,10 @@ def kill(command, call):
 
 
 def without_times(rows):
-    """The last two columns of a sweep are measured times."""
-    return [line.split(",")[:-2] for line in rows.splitlines()]
+    """The last columns of a sweep are measured times."""
+    lines = [line.split(",") for line in rows.splitlines()]
+    last = lines[0].index("rtl_seconds")
+    return [line[:last] for line in lines]
 
 
 def kill_and_finish(name, words, calls, result):

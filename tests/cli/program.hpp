@@ -33,6 +33,8 @@ std::string printed(const std::string& words);
 
 /// A program to run as Verilator, for the variable VERILATOR: the model of an integer design never hits.
 [[nodiscard]] std::string always_missing_verilator(const sim::TemporaryFolder& folder);
+/// The same for a model of Verilog that sed has changed.
+[[nodiscard]] std::string damaging_verilator(const sim::TemporaryFolder& folder, const std::string& sed);
 
 /// The lines of a text. The last one must have a line end.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);

@@ -164,6 +164,19 @@ TEST_F(WrongUseOf, OptionsThatExcludeEachOther) {
              "none;"},
             {"render --compare a b --scene spheres",
              "--compare excludes --scene: two images are compared, and nothing is rendered;"},
+            {"render --scene spheres --crossings --light 0,9,0",
+             "--crossings excludes --light: crossings are counted by exact integers, and nothing is shaded;"},
+            {"render --scene spheres --crossings --padding 0",
+             "--crossings excludes --padding: crossings are counted by exact integers, and nothing is "
+             "shaded;"},
+            {"render --scene spheres --world integer --crossings --box-map OUT.png",
+             "--crossings excludes --box-map: crossings are counted by exact integers, and nothing is "
+             "shaded;"},
+            {"render --scene spheres --crossings --traversal plu",
+             "--crossings excludes --traversal: crossings are counted by exact integers, and nothing is "
+             "shaded;"},
+            {"render --scene spheres --crossings --world float",
+             "--crossings: not for --world float, which has no exact counts; leave it out"},
             {"operands int_slabs --operands a --rays b --out OUT",
              "--operands excludes --rays: operands are what the unit takes, without a ray and a box;"}});
 }
@@ -190,9 +203,12 @@ TEST_F(WrongUseOf, NamesOfDesignsAndFormats) {
     rejected({{command + " --bits 12/12", floats}});
   rejected(
       {{"area --bits 20/24", "--bits requires design;"},
-       {"check", "check: 0 designs; allowed is one of: DESIGNS"},
-       {"check int_slabs fp_slabs", "check: 2 designs; allowed is one of: DESIGNS"},
-       {"check int_slabs --bits 6/6,7/7", "check: 2 formats; allowed is one"},
+       {"check", "check: name designs, or give --safe; there are: DESIGNS"},
+       {"check --safe int_slabs", "--safe excludes design: it takes the designs that never miss;"},
+       {"check --safe --stiff", "--safe excludes --stiff: --stiff without a design takes the same designs;"},
+       {"check int_slabs int_triangle",
+        "design int_triangle: tests triangles; check it alone, in one format"},
+       {"check int_slabs int_ray", "design int_ray: there is no set-up of rays and boxes for its operands"},
        {"check --stiff int_slabs --bits 6/6,7/7,8/8,9/9,10/10,11/11,12/12,13/13,14/14",
         "--bits: 9 formats for int_slabs; allowed are 8 at most;"},
        {"bvh int_slabs --scene spheres", "bvh: a design and --bits belong to --records; give --records FILE"},

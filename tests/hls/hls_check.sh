@@ -44,6 +44,7 @@ bambu_check() {
   default=${default#n}
   case $default in
     */*) case $default in *+*) formats="$default 12+1/10 32+3/28" ;; *) formats="$default 24/24 16/16 6/6 32/63" ;; esac ;;
+    *+*) formats="$default ${default}b1c1 ${default}c2" ;;
     *) formats=$default ;;
   esac
   if [ -n "$bambu" ]; then bambu_check "$design" "$default"; fi

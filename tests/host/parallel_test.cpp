@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -11,24 +13,116 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/task_arena.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define HITPIPE_THREAD_SANITIZER
+#endif
+#endif
 
 namespace hitpipe::host {
 namespace {
 
-int threads_within(int threads) {
-  int found = 0;
-  with_threads(threads, [&] { found = tbb::this_task_arena::max_concurrency(); });
-  return found;
+/// How many threads take part in a loop of many calls, of which each waits until `expected` threads have come.
+std::size_t threads_of_loop(int threads, std::size_t expected) {
+  std::mutex telling;
+  std::condition_variable came;
+  std::set<std::thread::id> seen;
+  with_threads(threads, [&] {
+    for_each_index(200, [&](std::size_t) {
+      std::unique_lock lock(telling);
+      seen.insert(std::this_thread::get_id());
+      came.notify_all();
+      came.wait_for(lock, std::chrono::seconds(20), [&] { return seen.size() >= expected; });
+    });
+  });
+  return seen.size();
 }
 
-TEST(WithThreads, GivesNoMoreThanAskedAndNoMoreThanCores) {
-  const int cores = tbb::info::default_concurrency();
-  EXPECT_EQ(threads_within(1), 1);
-  EXPECT_EQ(threads_within(2), std::min(2, cores));
-  EXPECT_EQ(threads_within(10'000), cores);
-  EXPECT_EQ(threads_within(0), cores);
+TEST(WithThreads, GivesWhatIsAskedForAndNoMore) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  EXPECT_EQ(threads_of_loop(1, 1), 1);
+  EXPECT_EQ(threads_of_loop(2, 2), 2);
+  EXPECT_EQ(threads_of_loop(7, 7), 7);
+  EXPECT_EQ(threads_of_loop(0, cores), cores);
+}
+
+/// The most threads that are at work at one time, where loops call loops.
+TEST(WithThreads, IsOfLoopsWithinLoopsInAll) {
+  for (const int threads : {1, 2, 3}) {
+    std::mutex telling;
+    int working = 0;
+    int most = 0;
+    std::size_t calls = 0;
+    with_threads(threads, [&] {
+      for_each_index(9, [&](std::size_t) {
+        for_each_index(9, [&](std::size_t) {
+          for_each_index(3, [&](std::size_t) {
+            {
+              const std::scoped_lock lock(telling);
+              most = std::max(most, ++working);
+              ++calls;
+            }
+            std::this_thread::yield();
+            const std::scoped_lock lock(telling);
+            --working;
+          });
+        });
+      });
+    });
+    EXPECT_EQ(calls, 9 * 9 * 3);
+    EXPECT_LE(most, threads);
+  }
+}
+
+/// A thread that waits takes work of the loop it waits for: else one of two would stand still here.
+TEST(WithThreads, AThreadThatWaitsHelps) {
+  std::mutex telling;
+  std::condition_variable came;
+  std::set<std::thread::id> seen;
+  with_threads(2, [&] {
+    for_each_index(2, [&](std::size_t i) {
+      if (i == 0) return;
+      for_each_index(100, [&](std::size_t) {
+        std::unique_lock lock(telling);
+        seen.insert(std::this_thread::get_id());
+        came.notify_all();
+        came.wait_for(lock, std::chrono::seconds(20), [&] { return seen.size() == 2; });
+      });
+    });
+  });
+  EXPECT_EQ(seen.size(), 2);
+}
+
+TEST(WithThreads, WithinAnotherHasItsOwnLimit) {
+  std::atomic<int> calls = 0;
+  with_threads(2, [&] {
+    for_each_index(4, [&](std::size_t) {
+      std::set<std::thread::id> seen;
+      with_threads(1, [&] {
+        for_each_index(10, [&](std::size_t) {
+          seen.insert(std::this_thread::get_id());
+          ++calls;
+        });
+      });
+      EXPECT_EQ(seen.size(), 1);
+    });
+  });
+  EXPECT_EQ(calls, 40);
+}
+
+TEST(ForEachBlock, CoversTheNumbersOnce) {
+  for (const std::size_t block : {1U, 3U, 7U, 100U}) {
+    std::vector<std::atomic<int>> calls(20);
+    for_each_block(5, 18, block, [&](std::size_t first, std::size_t last) {
+      EXPECT_LE(last - first, block);
+      for (std::size_t i = first; i < last; ++i) ++calls[i];
+    });
+    for (std::size_t i = 0; i < calls.size(); ++i) EXPECT_EQ(calls[i], i >= 5 && i < 18 ? 1 : 0) << i;
+  }
+  for_each_block(3, 3, 4, [](std::size_t, std::size_t) { FAIL(); });
 }
 
 TEST(ForEachIndex, CallsEachOnceAndTellsTheProgress) {
@@ -55,10 +149,32 @@ TEST(ForEachIndex, OneThreadIsTheCallersOwn) {
   EXPECT_THAT(seen, testing::ElementsAre(std::this_thread::get_id()));
 }
 
-TEST(ForEachIndex, HandsOnAnError) {
-  EXPECT_THROW(for_each_index(10, 2, [](std::size_t) { throw std::runtime_error("no"); }),
-               std::runtime_error);
+TEST(ForEachIndex, HandsOnAnErrorAndBeginsNothingMore) {
+  for (const int threads : {1, 2}) {
+    std::atomic<std::size_t> calls = 0;
+    const auto fail = [&](std::size_t) {
+      ++calls;
+      throw std::runtime_error("no");
+    };
+    EXPECT_THROW(for_each_index(1'000, threads, fail), std::runtime_error);
+    EXPECT_LE(calls, static_cast<std::size_t>(threads));
+  }
 }
+
+#ifndef HITPIPE_THREAD_SANITIZER  // which ends a forked process that starts threads
+TEST(ForEachIndex, WorksInAForkedProcess) {
+  for_each_index(100, 2, [](std::size_t) {});
+  const pid_t child = fork();
+  if (child == 0) {
+    std::atomic<int> calls = 0;
+    for_each_index(1'000, 2, [&](std::size_t) { ++calls; });
+    _exit(calls == 1'000 ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+}
+#endif
 
 /// Works until `seconds` of processor time have passed.
 void work(double seconds) {

@@ -7,6 +7,9 @@ expect(0 "HIT 1, exact 1\n$" ${WORK}/one_box/one_box)
 expect(0 "HIT 1, exact 1\n$" ${WORK}/one_box/one_box int_plucker 12/12)
 expect(2 "^one_box: bits 3/3: no format of int_slabs" ${WORK}/one_box/one_box int_slabs 3/3)
 
+build(${SOURCE}/examples/lidar ${WORK}/lidar "-DCMAKE_C_FLAGS=-std=c99 -Wall -Wextra -Wpedantic -Werror")
+expect(0 "^  0 degrees:  3\\.000 m\n.*\n 90 degrees:  5\\.000 m\n.*\n180 degrees: 10\\.000 m\n" ${WORK}/lidar/lidar)
+
 # Fewer and larger sources: the headers of Verilator take most of the time.
 file(COPY ${SOURCE}/examples/verilated_unit DESTINATION ${WORK})
 set(example ${WORK}/verilated_unit)
@@ -50,6 +53,9 @@ if(NOT bytes EQUAL 19215)
   message(FATAL_ERROR "picture.pgm has ${bytes} bytes")
 endif()
 
+# The library answers the same rays, from a surface of its own.
+expect(0 "^1600 rays, 1600 answers, [1-9][0-9]+ hits, 0 differ from the library's\n$" ${CMAKE_COMMAND} -E chdir ${built} ./compare)
+
 # The firmware's picture, on the same chip.
 set(firmware ${SOURCE}/examples/litex_core/firmware)
 file(WRITE ${WORK}/firmware.cpp "#include <fstream>
@@ -64,21 +70,41 @@ int main(int, char** arguments) {
   std::ifstream file(arguments[1], std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
   const auto* const image = reinterpret_cast<const uint8_t*>(bytes.data());
-  return draw_picture(place_image(arguments[1]), image, bytes.size()) ? 0 : 1;
+#if CORE_HAS_RINGS
+  uint32_t place_rings(uint32_t bytes);
+  const uint32_t place = place_image(arguments[1]), rings = place_rings(PICTURE_RINGS_BYTES);
+#else
+  const uint32_t place = place_image(arguments[1]), rings = 0;
+#endif
+  return draw_picture(place, rings, image, bytes.size()) ? 0 : 1;
 }
 ")
-set(includes -I${built}/rtl -I${system} -I${firmware})
-run(${CXX} -x c -std=c99 -Wall -Wextra -Wpedantic -Werror ${includes} -c ${firmware}/picture.c -o ${WORK}/picture.o)
-run(${CXX} -std=c++20 ${includes} ${WORK}/firmware.cpp ${WORK}/picture.o ${built}/libchip.a -pthread -o ${WORK}/firmware)
-string(REPEAT "#" 32 near)
-expect(0 "^ +\n(.*\n)?${near}\n768 answers, 482 hits, 0 failed\n$" ${WORK}/firmware ${built}/scene.bin)
+function(draw_on chip)
+  set(includes -I${chip}/rtl -I${system} -I${firmware})
+  run(${CXX} -x c -std=c99 -Wall -Wextra -Wpedantic -Werror ${includes} -c ${firmware}/picture.c -o ${chip}/picture.o)
+  run(${CXX} -std=c++20 ${includes} ${WORK}/firmware.cpp ${chip}/picture.o ${chip}/libchip.a -pthread -o ${chip}/firmware)
+  string(REPEAT "#" 32 near)
+  expect(0 "^ +\n(.*\n)?${near}\n768 answers, 482 hits, 0 failed\n$" ${chip}/firmware ${built}/scene.bin)
+endfunction()
+draw_on(${built})
 
+# The same with rays in memory.
+set(rings ${WORK}/core_with_rings)
+build(${system} ${rings} -DCMAKE_UNITY_BUILD=ON "-DCORE_OPTIONS=--dma --cache 4")
+run(${CXX} -x c -std=c99 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I${rings}/rtl ${system}/driver.h)
+set(with_rings ${rings}/core_system ${rings}/scene.bin ${rings}/picture.pgm)
+expect(0 "^19200 rays, 19200 answers, 11948 hits, 0 failed\n[0-9]+ cycles, [1-9][0-9]* blocks read\n$" ${with_rings})
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${built}/picture.pgm ${rings}/picture.pgm COMMAND_ERROR_IS_FATAL ANY)
+draw_on(${rings})
+damage(${rings}/rtl/hitpipe_core.v "rings_ray_any, rings_ray_tag}" "rings_ray_any, rings_ray_tag | 16'd1}")
+run(${CMAKE_COMMAND} --build ${rings})
+expect(1 "^19200 rays, 19200 answers, 11948 hits, 0 failed\n" ${with_rings})
 # The image: its second half is missing. The driver does not start.
 file(SIZE ${built}/scene.bin bytes)
 math(EXPR half "${bytes} / 2")
 execute_process(COMMAND head -c ${half} ${built}/scene.bin OUTPUT_FILE ${built}/half.bin COMMAND_ERROR_IS_FATAL ANY)
 expect(1 "^${built}/half.bin: the image is cut\n$" ${built}/core_system ${built}/half.bin ${built}/picture.pgm)
-expect(1 "^the image is cut\n$" ${WORK}/firmware ${built}/half.bin)
+expect(1 "^the image is cut\n$" ${built}/firmware ${built}/half.bin)
 
 # The Verilog: the core is given another tag, so a pixel has two answers and another has none.
 damage(${built}/rtl/hitpipe_core_axi.v ".ray_tag(s_axis_ray_tid)" ".ray_tag(s_axis_ray_tid | 16'd1)")

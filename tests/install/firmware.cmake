@@ -25,13 +25,20 @@ uint32_t core_hit_tag_read(void);
 void core_hit_take_write(uint32_t);
 uint32_t core_hit_take_read(void);
 ")
-run(${PREFIX}/bin/hitpipe core rtl --bits 16+1/9s16 --door float --in-order --name hitpipe_core --out ${WORK}/rtl)
+file(WRITE ${headers}/generated/mem.h "#define MAIN_RAM_BASE 0x40000000ul\n#define MAIN_RAM_SIZE 0x10000000ul\n")
 file(WRITE ${WORK}/image.bin "32 bytes, a block of an image...")
 
 set(example ${SOURCE}/examples/litex_core)
-foreach(source firmware/main.c firmware/picture.c firmware/image.S litex_driver.c)
-  get_filename_component(name ${source} NAME)
-  run(${CLANG} --target=riscv32 -march=rv32im -mabi=ilp32 -std=gnu99 -ffreestanding -Os -Wall -Wextra -Wpedantic -Werror
-      -Wstrict-prototypes "-DIMAGE=\"${WORK}/image.bin\"" -I${headers} -I${WORK}/rtl
-      -I${SOURCE}/examples/core_system -c ${example}/${source} -o ${WORK}/${name}.o)
+foreach(core fifos rings)
+  set(options "")
+  if(core STREQUAL rings)
+    set(options --dma)
+  endif()
+  run(${PREFIX}/bin/hitpipe core rtl --bits 16+1/9s16 --door float --in-order ${options} --name hitpipe_core --out ${WORK}/${core})
+  foreach(source firmware/main.c firmware/picture.c firmware/image.S litex_driver.c)
+    get_filename_component(name ${source} NAME)
+    run(${CLANG} --target=riscv32 -march=rv32im -mabi=ilp32 -std=gnu99 -ffreestanding -Os -Wall -Wextra -Wpedantic -Werror
+        -Wstrict-prototypes "-DIMAGE=\"${WORK}/image.bin\"" -I${headers} -I${WORK}/${core}
+        -I${SOURCE}/examples/core_system -c ${example}/${source} -o ${WORK}/${name}.o)
+  endforeach()
 endforeach()

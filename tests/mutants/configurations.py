@@ -6,6 +6,8 @@ CORES = [
     ("core, small", "--triangle-ii serial --bits 8+0/4s8 --rays 2 --stack 2"),
     ("core, float door", "--door float --barycentrics"),
     ("core, 64 data bits", "--data-bits 64"),
+    ("core, cache", "--cache 2"),
+    ("core, rings", "--dma --door float --data-bits 64 --cache 2"),
 ]
 UNITS = [
     ("int_slabs", "--axi-stream"),
@@ -14,6 +16,7 @@ UNITS = [
     ("int_major_pair", "--ii 3"),
     ("int_triangle", ""),
     ("int_triangle", "--ii 3"),
+    ("int_triangle", "--bits 20+1s20c2"),
     ("fp_slabs", "--fifo"),
     ("fp_slabs", "--ii 3"),
     ("int_ray", ""),

@@ -27,13 +27,40 @@ static char letter_of(const struct core_hit* hit, const float direction[3]) {
   return letters[letter < 0 ? 0 : letter > 8 ? 8 : letter];
 }
 
-bool draw_picture(uint64_t address, const uint8_t* bytes, uint64_t size) {
+#if CORE_HAS_RINGS
+static struct core_rings rings;
+static const char* start_rays(uint64_t address) {
+  return core_start_rings(&rings, address, address + PICTURE_PLACES * CORE_RAY_BYTES, PICTURE_PLACES);
+}
+static bool send(uint32_t tag, const struct core_ray* ray) {
+  const bool sent = core_send(&rings, tag, ray);
+  core_offer(&rings);
+  return sent;
+}
+static bool take(uint32_t* tag, struct core_hit* hit) {
+  return core_take(&rings, tag, hit);
+}
+#else
+static const char* start_rays(uint64_t address) {
+  (void)address;
+  return NULL;
+}
+static bool send(uint32_t tag, const struct core_ray* ray) {
+  return core_send(tag, ray);
+}
+static bool take(uint32_t* tag, struct core_hit* hit) {
+  return core_take(tag, hit);
+}
+#endif
+
+bool draw_picture(uint64_t address, uint64_t rings_address, const uint8_t* bytes, uint64_t size) {
   static char picture[pixels];
   static uint8_t answers[pixels];
   int sent = 0, taken = 0, hits = 0, failed = 0;
   struct core_image image;
   const char* refused = core_read_image(&image, bytes, size);
   if (!refused) refused = core_start(address, &image);
+  if (!refused) refused = start_rays(rings_address);
   if (refused) {
     printf("%s\n", refused);
     return false;
@@ -44,11 +71,11 @@ bool draw_picture(uint64_t address, const uint8_t* bytes, uint64_t size) {
       struct core_ray ray;
       make_direction(direction, sent);
       core_make_ray(&ray, eye, direction, __builtin_inff());
-      if (core_send((uint32_t)sent, &ray)) ++sent;
+      if (send((uint32_t)sent, &ray)) ++sent;
     }
     uint32_t pixel;
     struct core_hit hit;
-    while (core_take(&pixel, &hit)) {
+    while (take(&pixel, &hit)) {
       silent = 0;
       ++taken;
       if (pixel >= pixels) return false;

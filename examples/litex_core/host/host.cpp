@@ -56,3 +56,10 @@ uint32_t place_image(const char*) {
   sdram_dfii_control_write(sel | cke | odt | reset_n);
   return MAIN_RAM_BASE;
 }
+
+#if CORE_HAS_RINGS
+// The end of the SDRAM.
+uint32_t place_rings(uint32_t bytes) {
+  return MAIN_RAM_BASE + MAIN_RAM_SIZE - bytes;
+}
+#endif

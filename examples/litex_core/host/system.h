@@ -10,6 +10,9 @@ extern "C" {
 #endif
 void csr_write_simple(unsigned long value, unsigned long address);
 unsigned long csr_read_simple(unsigned long address);
+/* The host has no cache. */
+static inline void flush_cpu_dcache(void) {}
+static inline void flush_l2_cache(void) {}
 #ifdef __cplusplus
 }
 #endif

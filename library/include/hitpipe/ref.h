@@ -34,7 +34,10 @@ typedef enum hitpipe_status {
   HITPIPE_NO_RAY = 6,       /* hitpipe_set_ray() comes first */
   HITPIPE_FAILED = 7,       /* out of memory, or an error of hitpipe itself */
   HITPIPE_BAD_OPERAND = 8,  /* does not fit its port */
-  HITPIPE_BAD_LIBRARY = 9   /* there is no such component library, or it lacks what the design is made of */
+  HITPIPE_BAD_LIBRARY = 9,  /* there is no such component library, or it lacks what the design is made of */
+  HITPIPE_BAD_MESH = 10,    /* a corner that is not allowed, or a triangle of corners that are not there */
+  HITPIPE_BAD_HIERARCHY = 11, /* of nodes or an order that are none */
+  HITPIPE_NOT_CLOSED = 12   /* only a closed mesh has an inside */
 } hitpipe_status;
 
 /* Why the last call of this thread that failed did so: one line, "" if none did. Valid until the next failure
@@ -162,7 +165,13 @@ typedef enum hitpipe_meaning {
   HITPIPE_MANTISSA_LOW,   /* bounds of a slope's reciprocal */
   HITPIPE_MANTISSA_HIGH,
   HITPIPE_RAY_EXPONENT,   /* power of two that belongs to both bounds */
-  HITPIPE_RAY_LENGTH      /* of the ray */
+  HITPIPE_RAY_LENGTH,     /* of the ray */
+  /* Of a hit of a triangle. */
+  HITPIPE_TIE,            /* 1: at an edge or a corner */
+  HITPIPE_ONCE,           /* 1: it counts as a crossing */
+  HITPIPE_SIDE,           /* 1: the determinant is negative */
+  HITPIPE_ZERO,           /* bits of u, v, e0; 1: it is 0 */
+  HITPIPE_INNER           /* likewise; 1: its sign is that of the inside */
 } hitpipe_meaning;
 
 typedef struct hitpipe_port_info {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
+#include "tests/sim/temporary_folder.hpp"
 
 namespace hitpipe::cli::bvh_command_test {
 namespace {
@@ -64,10 +65,51 @@ TEST(BvhCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   const auto lines = lines_of(printed({"--format", "csv"}));
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0],
-            "scene,triangles,degenerate_dropped,lost_to_rounding,mesh_share_of_cube_pct,area,min,max,builder,"
+            "scene,triangles,degenerate_dropped,lost_to_rounding,mesh_share_of_cube_pct,area,min,max,"
+            "closed,oriented,edges,odd_edges,open_edges,turned_edges,crowded_edges,t_junctions,"
+            "first_odd_edges,first_t_junctions,builder,"
             "max_triangles,bvh_nodes,leaves,depth,"
             "triangles_per_leaf,triangles_in_largest_leaf,leaves_by_triangles,sah_cost,child_overlap_pct,"
             "node_bytes,order_bytes,build_seconds");
+}
+
+TEST(BvhCommand, SaysWhereAMeshIsOpen) {
+  const std::string text = printed({});
+  EXPECT_THAT(text, HasSubstr("\nclosed                     no\n"));
+  EXPECT_THAT(text, HasSubstr("\nodd_edges                  4\n"));
+  EXPECT_THAT(text, HasSubstr("\nfirst_odd_edges            of 0 from -9 "));
+  const Json floor = figures({});
+  EXPECT_EQ(floor.at("closed"), false);
+  EXPECT_EQ(floor.at("open_edges"), 4);
+  ASSERT_EQ(floor.at("first_odd_edges").size(), 3U);
+  EXPECT_EQ(floor.at("first_odd_edges")[2].at("triangle"), 1);
+  EXPECT_NEAR(floor.at("first_odd_edges")[2].at("to")[0].get<double>(), 9.0, 1e-6);
+
+  const sim::TemporaryFolder folder;
+  const auto of_file = [&](const std::string& faces) {
+    const std::string file = folder
+                                 .write("t.obj",
+                                        "v 0 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 4\nv 0 1 0\n"
+                                        "f 1 3 2\nf 2 3 4\nf 1 2 4\n" +
+                                            faces)
+                                 .string();
+    return Json::parse(cli::printed("bvh --format json --scene " + file));
+  };
+  const Json closed = of_file("f 3 1 4\n");
+  EXPECT_EQ(closed.at("closed"), true);
+  EXPECT_EQ(closed.at("oriented"), true);
+  EXPECT_EQ(closed.at("edges"), 6);
+  EXPECT_TRUE(closed.at("first_odd_edges").empty());
+  const Json cut = of_file("f 3 5 4\nf 5 1 4\n");
+  EXPECT_EQ(cut.at("closed"), false);
+  EXPECT_EQ(cut.at("open_edges"), 0);
+  EXPECT_EQ(cut.at("t_junctions"), 1);
+  ASSERT_EQ(cut.at("first_t_junctions").size(), 1U);
+  EXPECT_EQ(cut.at("first_t_junctions")[0].at("triangle"), 0);
+  // The third corner of a triangle without area lies on its longest edge.
+  const Json sewn = of_file("f 3 5 4\nf 5 1 4\nf 3 1 5\n");
+  EXPECT_EQ(sewn.at("degenerate_dropped"), 1);
+  EXPECT_EQ(sewn.at("oriented"), true);
 }
 
 TEST(BvhCommand, SweepsTheLeafSizesOfAppendixB) {

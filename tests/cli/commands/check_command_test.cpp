@@ -127,11 +127,33 @@ TEST(CheckCommand, LetsTheVerilogAnswerToo) {
   EXPECT_EQ(run.exit_code, 1);
   const json row = json::parse(run.out).front();
   EXPECT_EQ(row.at("rtl_mismatches"), row.at("exact_hits").get<int>() + row.at("false_hits").get<int>());
-  EXPECT_EQ(run.err,
-            "hitpipe: " + row.at("rtl_mismatches").dump() + " answers of the Verilog differ from the C++\n");
+  EXPECT_EQ(run.err, "hitpipe: int_slabs 12/12: " + row.at("rtl_mismatches").dump() +
+                         " answers of the Verilog differ from the C++\n");
   const Outcome replay = replayed({"int_slabs", "--bits", "12/12", "--rtl"}, met, wrong);
   EXPECT_EQ(replay.exit_code, 1);
   EXPECT_THAT(replay.out, HasSubstr("\nunit       HIT\nrtl        MISS\n"));
+}
+
+/// Of a unit that says ties or crossings, with Verilog that does not settle an edge of a tie as the C++ does.
+TEST(CheckCommand, CountsTiesOfATriangleUnitAndFindsAFaultyRule) {
+  const std::string start = "check int_triangle --tests 2800 --rtl --format json --bits ";
+  const auto all_of = [](const std::string& text) { return json::parse(text).back(); };
+  EXPECT_FALSE(all_of(printed(start + "8+0s8")).contains("ties"));
+  for (const auto& [bits, line] : {std::pair{"8+0s8c1", "assign tie = "}, {"8+0s8c2", "wire ok_v = "}}) {
+    const Outcome right = hitpipe(start + bits);
+    EXPECT_EQ(right.exit_code, 0) << right.err;
+    const json row = all_of(right.out);
+    EXPECT_GT(row.at("ties").get<int>(), 500);
+    EXPECT_GT(row.at("counted").get<int>(), 100);
+    EXPECT_LT(row.at("counted").get<int>(), row.at("ties").get<int>());
+    EXPECT_EQ(row.at("rtl_mismatches"), 0);
+
+    const sim::TemporaryFolder folder;
+    const std::string sed = fmt::format("s/{}/&1 ^ /", line);
+    const Outcome wrong = hitpipe(start + bits, {{"VERILATOR", damaging_verilator(folder, sed)}});
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_GT(all_of(wrong.out).at("rtl_mismatches").get<int>(), 50) << bits;
+  }
 }
 
 TEST(CheckReplay, PrintsTheAnswersAndEveryOperandInHexadecimal) {
@@ -184,6 +206,70 @@ TEST(CheckPage, ListsEveryCategory) {
   std::size_t rows = 0;
   for (const std::string& line : lines_of(page)) rows += line.starts_with("| `") ? 1 : 0;
   EXPECT_EQ(rows, ref::adversary::categories().size());
+}
+
+/// A line for each category of each design of the catalogue that never misses, and one for their sum.
+TEST(CheckSafe, JudgesAllDesignsThatNeverMissInOneTable) {
+  const std::string how = "check --safe --tests 20000";
+  const Outcome text = hitpipe(how);
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_LE(widest_line(text.out), 80U);
+  const auto lines = lines_of(text.out);
+  std::string alone;
+  std::size_t at = 1;
+  for (const rtl::Design& design : rtl::designs()) {
+    if (!design.kind.of_boxes || !design.conservative) continue;
+    EXPECT_THAT(lines.at(at), StartsWith(std::string(design.name) + " "));
+    EXPECT_THAT(lines.at(at + 1), StartsWith(rtl::to_string(design.default_format) + " "));
+    for (const auto& category : ref::adversary::categories())
+      EXPECT_THAT(lines.at(at++), HasSubstr(" " + std::string(category.name) + " "));
+    at += sim::software_of(design).categories.size();
+    EXPECT_THAT(lines.at(at++), HasSubstr(" all "));
+    const std::string csv =
+        printed("check " + std::string(design.name) + " --tests 20000 --threads 1 --format csv");
+    alone += alone.empty() ? csv : csv.substr(csv.find('\n') + 1);
+  }
+  EXPECT_EQ(lines.size(), at + 3) << "a legend follows";
+  EXPECT_EQ(printed(how + " --format csv"), alone);
+}
+
+TEST(CheckUnits, AreDesignsAndFormatsInOneTable) {
+  const std::string how = " --tests 4096 --category edge,stiff --format ";
+  const Outcome csv = hitpipe("check int_slabs,fp_slabs --bits 12/12,20/24" + how + "csv");
+  EXPECT_EQ(csv.exit_code, 0) << "fp_slabs may miss";
+  EXPECT_THAT(csv.err, HasSubstr(": hitpipe check fp_slabs --replay "));
+  const auto lines = lines_of(csv.out);
+  ASSERT_EQ(lines.size(), 7U);
+  EXPECT_EQ(lines[0] + "\n" + lines[3] + "\n" + lines[4] + "\n",
+            printed("check int_slabs --bits 20/24" + how + "csv"));
+  EXPECT_THAT(lines[5], StartsWith("fp_slabs,fp32,1,edge,2048,"));
+  const json rows = json::parse(printed("check int_slabs --bits 12/12,20/24" + how + "json"));
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[5].at("category"), "all");
+  EXPECT_EQ(rows[5].at("tests"), 4096);
+}
+
+TEST(CheckUnits, AreJoinedFromPieces) {
+  const sim::TemporaryFolder folder;
+  const std::string how = "check int_slabs int_major --tests 20000";
+  std::string files;
+  for (const std::string piece : {"1", "2", "3"}) {
+    const std::string file = (folder.path() / (piece + ".json")).string();
+    static_cast<void>(printed(how + " --piece " + piece + "/3 --out " + file));
+    files += " " + file;
+  }
+  EXPECT_EQ(printed("check --join" + files + " --format json"), printed(how + " --format json"));
+}
+
+TEST(CheckUnits, FailWhereOneOfThemFails) {
+  const sim::TemporaryFolder folder;
+  const Outcome run = hitpipe("check int_slabs,int_plucker --bits 12/12 --tests 2048 --category edge --rtl",
+                              {{"VERILATOR", always_missing_verilator(folder)}});
+  EXPECT_EQ(run.exit_code, 1);
+  const auto wrong = lines_of(run.err);
+  ASSERT_EQ(wrong.size(), 2U) << run.err;
+  EXPECT_THAT(wrong[0], StartsWith("hitpipe: int_slabs 12/12: "));
+  EXPECT_THAT(wrong[1], StartsWith("hitpipe: int_plucker 12/12: "));
 }
 
 constexpr std::size_t ratios = 22;

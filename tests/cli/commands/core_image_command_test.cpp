@@ -114,6 +114,12 @@ TEST_F(ImageCommand, BytesBehindACacheAreThoseOfACoreWithOneRay) {
     EXPECT_EQ(row_of(words).at("bytes_a_ray"), walked.at(column)) << kib;
   }
   EXPECT_LT(walked.at("bytes_a_ray_64kib"), walked.at("bytes_a_ray_4kib"));
+  const auto small_lines = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--cache", "4", "--cache-line", "32", "--cache-ways", "4"});
+    return row_of(words);
+  };
+  EXPECT_EQ(small_lines(core).at("bytes_a_ray"),
+            small_lines({"core", "image", "--stack", "8"}).at("bytes_a_ray_4kib"));
 }
 
 TEST_F(ImageCommand, ShowsCachesInALineEach) {

@@ -72,6 +72,8 @@ TEST(TraceCommand, MemoriesOfEveryKindGiveTheSameAnswers) {
   }
   const nlohmann::json cached = rows_of({"--cache", "64"});
   EXPECT_GT(cached.at(0).at("cache_hits_pct"), 50);
+  const nlohmann::json model = rows_of({"--cache", "128"});
+  EXPECT_LE(model.at(0).at("bytes_a_ray"), cached.at(0).at("bytes_a_ray"));
   EXPECT_LT(cached.at(0).at("bytes_a_ray"), 32 * plain.at(0).at("reads_a_ray").get<double>());
   EXPECT_GT(rows_of({"--memory", "ideal,refused_percent=50"}).at(0).at("refused_pct"), 40);
 }
@@ -234,6 +236,79 @@ TEST_F(TraceOfAnImage, IsCutIntoPieces) {
   EXPECT_THAT(outcome.err, HasSubstr(image_));
 }
 
+/// An octahedron, which is closed.
+class TraceEdgeRays : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.write("solid.obj",
+                  "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n"
+                  "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n");
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] std::string traced(const std::string& more) const { return printed(words_ + more); }
+  [[nodiscard]] nlohmann::json row(const std::string& more) const {
+    return nlohmann::json::parse(traced(more)).at(0);
+  }
+
+  const sim::TemporaryFolder folder_;
+  const std::string words_ =
+      "core trace --bits 12+1s12 --questions nearest,any,count,next --format json --scene " +
+      file("solid.obj") + " --edge-rays ";
+};
+
+TEST_F(TraceEdgeRays, OfAClosedMeshHaveEvenCountsFromOutside) {
+  const nlohmann::json verilog = row("4001 --ask count");
+  for (const char* const each : {"rays", "counts"}) EXPECT_EQ(verilog.at(each), 4001) << each;
+  for (const char* const each : {"wrong", "odd_counts", "nexts"}) EXPECT_EQ(verilog.at(each), 0) << each;
+  EXPECT_EQ(verilog.at("closed"), true);
+  EXPECT_GT(verilog.at("outside_rays"), 1000);
+  EXPECT_GT(verilog.at("ties_settled"), 4000);
+  const nlohmann::json all = row("500 --native --parts 4");
+  EXPECT_EQ(all.at("wrong"), 0);
+  for (const char* const each : {"nearests", "anys", "counts"}) EXPECT_EQ(all.at(each), 500) << each;
+  EXPECT_EQ(all.at("nexts"), all.at("crossings").get<int>() + 500);
+  const nlohmann::json alone = row("500 --native --ask count");
+  for (const char* const each : {"crossings", "ties_settled", "outside_rays"})
+    EXPECT_EQ(alone.at(each), all.at(each)) << each;
+  EXPECT_NE(row("500 --native --ask count --seed 2").at("crossings"), all.at("crossings"));
+}
+
+TEST_F(TraceEdgeRays, AreTracedInPieces) {
+  const std::string work = "500 --native --ask count --parts 2";
+  for (const std::string piece : {"1", "2"})
+    printed(words_ + work + " --piece " + piece + "/2 --out " + file(piece));
+  EXPECT_EQ(printed("core trace --format json --join " + file("1") + " " + file("2")), traced(work));
+}
+
+/// Nothing is said of a count's parity.
+TEST_F(TraceEdgeRays, OfAnOpenMeshAreCounted) {
+  folder_.write("solid.obj", "v 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
+  const nlohmann::json open = row("500 --ask count");
+  EXPECT_EQ(open.at("closed"), false);
+  EXPECT_EQ(open.at("outside_rays"), 0);
+  EXPECT_EQ(open.at("wrong"), 0);
+  EXPECT_GT(open.at("crossings"), 50);
+}
+
+TEST_F(TraceEdgeRays, RefusedWhereTheyMakeNoSense) {
+  const auto err = [](const std::string& more) {
+    const Outcome outcome = hitpipe("core trace --scene city " + more);
+    EXPECT_EQ(outcome.exit_code, 2) << more;
+    return outcome.err;
+  };
+  EXPECT_EQ(err("--edge-rays 5"),
+            "hitpipe: --edge-rays: the core has no count of crossings; needs --questions "
+            "nearest,any,count,next\n");
+  EXPECT_THAT(err("--seed 5"), HasSubstr("--seed: needs --edge-rays"));
+  EXPECT_THAT(err("--ask count"), HasSubstr("--ask: needs --edge-rays"));
+  const std::string core = "--questions nearest,any,count,next --edge-rays 5 ";
+  EXPECT_THAT(err(core + "--rays a.csv"), HasSubstr("--edge-rays excludes --rays: rays come from one place"));
+  for (const std::string picture : {"--width 9", "--height 9", "--out a"})
+    EXPECT_THAT(err(core + picture), HasSubstr(": rays at edges make no picture"));
+  EXPECT_THAT(err(core + "--parts 6"), HasSubstr("--parts 6: there are 5 rays; allowed is 1 to 5"));
+  EXPECT_THAT(err(core + "--edge-rays 0"), HasSubstr("Value 0 not in range 1 to 1000000000"));
+}
+
 TEST(TraceCommand, RefusesWhatItCannotDo) {
   const auto refused = [](const std::vector<std::string>& more) {
     const Outcome outcome = run_hitpipe(words(more));
@@ -245,6 +320,7 @@ TEST(TraceCommand, RefusesWhatItCannotDo) {
   EXPECT_THAT(refused({"--memory", "ideal,latency=9..3"}),
               HasSubstr("memory ideal: latency is 9..3; allowed is the least, and then the most"));
   EXPECT_THAT(refused({"--cache", "3"}), HasSubstr("power of two"));
+  EXPECT_THAT(refused({"--cache", "128", "--cache-line", "32"}), HasSubstr("allowed is up to 64 with these"));
   EXPECT_THAT(refused({"--bits", "20/24"}), HasSubstr("n+gsS"));
   EXPECT_THAT(refused({"--triangle-ii", "2"}), HasSubstr("3 to 64"));
 }

@@ -109,6 +109,29 @@ TEST_F(FitCommand, LeavesOutARateThatIsNotAskedFor) {
               testing::MatchesRegex("hitpipe: int_slabs 12/12: .* asked for; it takes .* at most\n"));
 }
 
+TEST_F(FitCommand, ComparesTheResultWithWhereTheSearchBegan) {
+  const std::vector<std::string> bits{"--bits", "10/10"};
+  const Outcome text = fit(bits);
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_LE(widest_line(text.out), 80U);
+  EXPECT_THAT(text.out, HasSubstr("\n  compared by whole cost in mm² ms: before 10/10 "));
+  EXPECT_THAT(text.out, HasSubstr("result "));
+  const json row = json::parse(fit(with(bits, {"--format", "json"})).out).at(0);
+  EXPECT_LE(row.at("search_cost"), row.at("search_cost_before"));
+  EXPECT_NEAR(row.at("search_cost").get<double>(), row.at("whole_area_run_time_mm2_ms").get<double>(),
+              0.05 * row.at("search_cost").get<double>());
+  EXPECT_THAT(row.at("search_starts").at(0).get<std::string>(), testing::StartsWith("10/10 "));
+  const json by_area =
+      json::parse(
+          fit({"--bits", "8/8", "--rate-boxes", "100e6", "--overhead", "900", "--format", "json"}).out)
+          .at(0);
+  EXPECT_EQ(by_area.at("search_measure"), "area in mm²");
+  EXPECT_NEAR(by_area.at("search_cost"), by_area.at("area_after_mm2"), 0.01);
+  const json kept = json::parse(fit(with(bits, {"--keep-bits", "--format", "json"})).out).at(0);
+  EXPECT_TRUE(kept.at("search_cost").is_null());
+  EXPECT_TRUE(kept.at("search_starts").empty());
+}
+
 TEST_F(FitCommand, SaysWhatIsKeptWhyAndWhatItCosts) {
   const Outcome whole = fit({"int_slabs", "--keep-bits", "--bits", "12/12"});
   EXPECT_EQ(whole.exit_code, 0) << whole.err;

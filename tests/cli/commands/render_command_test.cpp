@@ -193,6 +193,76 @@ TEST(RenderCompare, SaysHowFarImagesAreApart) {
   printed("render --compare " + a + " " + b + " --tolerance 1");
 }
 
+/// A cube, whose faces are cut along the diagonal of a square picture from above: rays through that edge, and
+/// the same through its corners.
+constexpr const char* cube =
+    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+    "f 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 4 8 7\nf 4 7 3\nf 1 5 8\nf 1 8 4\nf 2 3 7\nf 2 "
+    "7 6\n";
+
+TEST(RenderCrossings, OfAClosedMeshAreEvenAtItsEdgesToo) {
+  const sim::TemporaryFolder folder;
+  const std::string mesh = folder.write("cube.obj", cube).string();
+  const std::string image = (folder.path() / "counts.png").string();
+  const std::string words =
+      "render --scene " + mesh +
+      " --crossings --orthographic --eye 0,0,1.8 --target 0,0,0 --up 0,1,0 --cube 0,0,0,2 "
+      "--width 32 --height 32 --format json ";
+  const auto seen = nlohmann::json::parse(printed(words + "--out " + image));
+  EXPECT_EQ(seen.at("scene"), "cube");
+  EXPECT_EQ(seen.at("triangles"), 12);
+  EXPECT_EQ(seen.at("rays"), 1024);
+  EXPECT_GT(seen.at("crossings"), 1000);
+  EXPECT_EQ(seen.at("most_crossings"), 2);
+  EXPECT_EQ(seen.at("odd_rays"), 0);
+  EXPECT_GT(seen.at("ties_settled"), 100);
+  EXPECT_EQ(seen.at("image"), image);
+  EXPECT_THAT(contents_of(image), StartsWith("\x89PNG"));
+  // No other hierarchy and no other boxes change a count, and the world is the same when it is named.
+  for (const std::string options : {"--world integer --bits 20+1s20", "--boxes 20+1/9s20",
+                                    "--builder sah --max-triangles 1 --threads 3"}) {
+    auto same = nlohmann::json::parse(printed(words + options));
+    for (const char* const count : {"crossings", "odd_rays", "ties_settled"})
+      EXPECT_EQ(same.at(count), seen.at(count)) << options;
+  }
+  // From inside each ray leaves the cube once.
+  const auto inside = nlohmann::json::parse(
+      printed("render --scene " + mesh +
+              " --crossings --eye 0,0,0 --target 1,1,1 --width 9 --height 9 --format json"));
+  EXPECT_EQ(inside.at("odd_rays"), 81);
+  EXPECT_EQ(inside.at("closed"), true);
+}
+
+TEST(RenderCrossings, OfLinesAtEdgesAreEvenIfTheMeshIsClosed) {
+  const sim::TemporaryFolder folder;
+  const std::string mesh = folder.write("cube.obj", cube).string();
+  const std::string words = "render --crossings --edge-rays 20001 --format json --scene " + mesh;
+  const auto seen = nlohmann::json::parse(printed(words));
+  EXPECT_EQ(seen.at("closed"), true);
+  EXPECT_EQ(seen.at("rays"), 20'002);
+  EXPECT_EQ(seen.at("odd_lines"), 0);
+  EXPECT_EQ(seen.at("unbalanced_lines"), 0);
+  EXPECT_GT(seen.at("tied_rays"), 5000);
+  EXPECT_GT(seen.at("lines_from_inside"), 100);
+  EXPECT_NE(nlohmann::json::parse(printed(words + " --seed 2")).at("crossings"), seen.at("crossings"));
+  // An odd count of an open mesh is no fault.
+  const auto open =
+      nlohmann::json::parse(printed("render --crossings --edge-rays 2000 --scene spheres --format json"));
+  EXPECT_EQ(open.at("closed"), false);
+  EXPECT_EQ(open.at("open_edges"), 4);
+  EXPECT_GT(open.at("odd_lines"), 100);
+}
+
+TEST(RenderCrossings, OptionsOfEdgeRaysAloneRejected) {
+  const auto err = [](const std::string& words) { return hitpipe("render --scene spheres " + words).err; };
+  EXPECT_THAT(err("--edge-rays 5"), testing::HasSubstr("--edge-rays requires --crossings"));
+  EXPECT_THAT(err("--crossings --seed 5"), testing::HasSubstr("--seed: needs --edge-rays"));
+  EXPECT_THAT(err("--crossings --edge-rays 5 --out a.png"),
+              testing::HasSubstr("--edge-rays excludes --out: rays at edges make no picture"));
+  EXPECT_THAT(err("--crossings --edge-rays 1"),
+              testing::HasSubstr("Value 1 not in range 2 to 1000000000000"));
+}
+
 TEST(RenderRescale, CountsThePixelsThatChange) {
   const std::string words = "render --rescale --scene spheres --width 40 --height 30 ";
   const std::string text = printed(words);

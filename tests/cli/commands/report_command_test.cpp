@@ -94,8 +94,9 @@ TEST_F(ReportCommand, WritesThePageAndWhatItsNumbersComeFrom) {
       "rows.csv",      "rtl.png",           "software.png",      "stability.csv",
       "stiffness.csv"};
   for (const std::string plot :
-       {"core_busy", "core_cache", "core_rate", "error_area", "error_area_run_time", "error_run_time",
-        "integer_world", "memory", "occupancy", "stiffness", "whole_area_run_time", "whole_run_time"})
+       {"core_busy", "core_cache", "core_memory", "core_rate", "error_area", "error_area_run_time",
+        "error_run_time", "error_software_time", "integer_world", "memory", "occupancy", "stiffness",
+        "whole_area_run_time", "whole_run_time"})
     for (const char* const kind : {".gp", ".pdf", ".svg"}) expected.push_back(plot + kind);
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(files_below(out()), expected);
@@ -312,8 +313,8 @@ std::vector<std::map<std::string, std::string>> core_rows(const fs::path& folder
 TEST_F(ReportCommand, CoresAnswerEveryRayRight) {
   const auto rows = core_rows(out());
   // Two formats with three intervals and two numbers of rays; three latencies with seven numbers of rays, of
-  // which two are among these; three caches.
-  EXPECT_EQ(rows.size(), 2U * 3U * 2U + 3U * 7U - 2U + 3U);
+  // which two are among these; three caches; three memories with four.
+  EXPECT_EQ(rows.size(), 2U * 3U * 2U + 3U * 7U - 2U + 3U + 3U * 4U);
   std::uint64_t answers = 0;
   for (const auto& row : rows) {
     EXPECT_EQ(row.at("wrong"), "0");
@@ -334,6 +335,7 @@ TEST_F(ReportCommand, CoresAreBusierWithMoreRaysAndReadLessWithACache) {
   const auto value = [&](std::map<std::string, std::string> of, const std::string& column) {
     of.insert({{"bits", "20+1/11s20"},
                {"triangle_ii", "4"},
+               {"memory", "ideal"},
                {"latency", "100"},
                {"cache_kib", "0"},
                {"rays_in_flight", "128"}});
@@ -354,6 +356,12 @@ TEST_F(ReportCommand, CoresAreBusierWithMoreRaysAndReadLessWithACache) {
     bytes = cached;
   }
   EXPECT_LT(bytes, 0.9 * value({}, "bytes_a_ray"));
+  for (const char* const memory : {"dram", "litedram-128"}) {
+    std::map<std::string, std::string> behind{{"memory", memory}, {"latency", ""}, {"rays_in_flight", "32"}};
+    const double without = value(behind, "mrays_s");
+    behind["cache_kib"] = "16";
+    EXPECT_GT(value(behind, "mrays_s"), without) << memory;
+  }
   for (const char* const bits : {"16+1/11s16", "20+1/11s20"}) {
     EXPECT_LT(value({{"bits", bits}, {"triangle_ii", "16"}}, "area_mm2"),
               value({{"bits", bits}, {"triangle_ii", "4"}}, "area_mm2"));
@@ -384,14 +392,15 @@ TEST_F(ReportCommand, NamesCommandsThatTraceTheSameCores) {
   for (const auto& row : core_rows(out())) {
     const bool small =
         row.at("bits") == "16+1/11s16" && row.at("triangle_ii") == "8" && row.at("rays_in_flight") == "32";
-    if (!small && row.at("cache_kib") != "4") continue;
+    const bool real = row.at("memory") == "litedram-128" && row.at("cache_kib") == "16";
+    if (!small && !real && (row.at("cache_kib") != "4" || row.at("memory") != "ideal")) continue;
     ++run;
     const std::vector<std::string> traced = of_trace(row.at("command"));
     ASSERT_EQ(traced.size(), 2U);
     EXPECT_THAT(csv, HasSubstr("," + traced[0] + ","));
     EXPECT_THAT(csv, HasSubstr("," + traced[1] + ","));
   }
-  EXPECT_EQ(run, 2U);
+  EXPECT_EQ(run, 3U);
   const std::string of_page =
       "hitpipe core trace --native --scene spheres --builder sah --max-triangles 2 --width 8 --height 8 "
       "--bits "

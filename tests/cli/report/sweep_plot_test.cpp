@@ -91,7 +91,7 @@ TEST(Diagrams, ShowColumnsOfTheRowsFile) {
         EXPECT_FALSE(sim::sweep_column(column).is_text()) << each.name;
       EXPECT_EQ(each.cost.find("mm2") != std::string_view::npos && on_chip, false) << each.name;
     }
-    EXPECT_EQ(diagrams(on_chip).size(), 6U);
+    EXPECT_EQ(diagrams(on_chip).size(), 7U);
   }
 }
 

@@ -1,7 +1,9 @@
 (* What the proof needs is needed: rays in the program's formats that a weaker rule misses. The floats are
    binary32 numbers. All are checked by computation. *)
-From Coq Require Import ZArith QArith Qabs Qround Lia Lqa.
+From Coq Require Import ZArith QArith Qabs Qround Lia Lqa Bool List.
 From HitpipeMajor Require Import Numbers IntMajor NeverMisses IntegerWorld.
+From HitpipeMajor Require Crossing CrossingMesh.
+Import ListNotations.
 Open Scope Z_scope.
 
 Definition program_format : Format := {| coord := 20; finer := 1; mantissa := 13; fraction := 0; slope := 0 |}.
@@ -70,3 +72,41 @@ Proof.
   - intros []; split; vm_compute; discriminate.
   - vm_compute. discriminate.
 Qed.
+
+(* ---- Exactly once ---- *)
+
+(* A line through an edge of a tetrahedron that hits a third face, as seen along the line. *)
+Section Ties.
+Let place (corner : nat) : Crossing.Place :=
+  match corner with
+  | 0%nat => {| Crossing.A := -1; Crossing.B := 0 |}
+  | 1%nat => {| Crossing.A := 1; Crossing.B := 0 |}
+  | 2%nat => {| Crossing.A := 0; Crossing.B := 1 |}
+  | _ => {| Crossing.A := 1; Crossing.B := -1 |}
+  end.
+Let tetrahedron : list (nat * nat * nat) := [(0, 2, 1); (0, 1, 3); (0, 3, 2); (1, 2, 3)]%nat.
+
+(* The rule with another answer where an edge's determinant is 0; an answer of 0 takes every such line. *)
+Let hits_with (tie : Crossing.Place -> Crossing.Place -> Z) (t : nat * nat * nat) : bool :=
+  let '(c, d, e) := t in
+  let sign := Z.sgn (Crossing.det (place c) (place d) (place e)) in
+  let agrees p q :=
+    let here := Crossing.first_not_zero (Crossing.edge p q) (tie p q) 0 in (here =? 0) || (Z.sgn here =? sign) in
+  negb (sign =? 0) && agrees (place d) (place e) && agrees (place e) (place c) && agrees (place c) (place d).
+
+Theorem tetrahedron_is_closed : CrossingMesh.closed_and_oriented nat Nat.eq_dec tetrahedron.
+Proof.
+  intros c d _. do 4 (destruct c as [| c]; [do 4 (destruct d as [| d]; [reflexivity |]); reflexivity |]).
+  do 4 (destruct d as [| d]; [reflexivity |]). reflexivity.
+Qed.
+
+(* The closed test counts three faces. So does a rule with one component of the edge alone. *)
+Theorem closed_test_is_odd : List.length (filter (hits_with (fun _ _ => 0)) tetrahedron) = 3%nat.
+Proof. reflexivity. Qed.
+Theorem one_component_is_odd :
+  List.length (filter (hits_with (fun p q => Crossing.B p - Crossing.B q)) tetrahedron) = 3%nat.
+Proof. reflexivity. Qed.
+Theorem both_components_are_even :
+  List.length (filter (CrossingMesh.is_crossed nat place) tetrahedron) = 2%nat.
+Proof. reflexivity. Qed.
+End Ties.

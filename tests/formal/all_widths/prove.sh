@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Proves with Coq that int_major and int_major_pair never miss, in all widths and both worlds: prove.sh.
+# Proves with Coq, in all widths: int_major and int_major_pair never miss, in both worlds; a ray crosses a
+# closed mesh an even number of times: prove.sh.
 # docs/formal.md explains.
 # It prints what each theorem assumes, and compares the definition with the C++ on random rays.
 # It fails if a proof fails, if a theorem assumes an axiom, or if a case differs.
@@ -9,7 +10,8 @@ root=$(cd "$here/../../.." && pwd)
 cases=500
 
 files=(Numbers IntMajor SetUp FloatQuotient FloatGrid NeverMisses IntegerWorld Words Shifter Datapath Ranges Pair
-  IntegerTriangle Triangle TriangleHit Divider Needed Compare)
+  IntegerTriangle Triangle TriangleHit Divider Crossing CrossingMesh SharedEdge CrossingRay FaceAhead
+  Tetrahedron CrossingOrigin Needed Compare)
 theorems=(
   NeverMisses.never_misses
   Ranges.datapath_never_misses
@@ -45,6 +47,30 @@ theorems=(
   Divider.divide_is_floor
   Divider.distance_is_floor
   Divider.remainder_fits
+  Crossing.triangle_edges
+  Crossing.crosses_from_next_corner
+  Crossing.crosses_from_other_side
+  Crossing.crossed_is_hit
+  Crossing.hit_inside_is_crossed
+  CrossingMesh.closed_mesh_is_crossed_evenly
+  CrossingMesh.oriented_mesh_is_crossed_evenly
+  SharedEdge.passes_within_is
+  SharedEdge.shared_edge_is_crossed_once
+  SharedEdge.folded_edge_is_crossed_evenly
+  SharedEdge.never_both_sides
+  SharedEdge.corner_may_be_left
+  CrossingRay.edges_seen
+  CrossingRay.unit_rule_is_crosses
+  CrossingRay.world_side
+  CrossingRay.crossed_ahead_is_hit
+  CrossingRay.hit_inside_is_crossed
+  CrossingRay.ray_crosses_one_at_edge
+  CrossingRay.ray_crosses_evenly_at_fold
+  CrossingRay.ray_crosses_closed_mesh_evenly
+  Tetrahedron.faces_ahead_are_odd_inside
+  CrossingOrigin.count_ahead_is_of_origin
+  CrossingOrigin.ray_crosses_ahead_is
+  CrossingOrigin.origin_is_inside_or_outside
   Words.sum_with_carry_is
   Shifter.saturating_shift_is_clamp
   SetUp.quotient_has_bounds
@@ -60,6 +86,10 @@ theorems=(
   Needed.smaller_cap_misses
   Needed.tie_upward_misses
   Needed.no_carry_misses
+  Needed.tetrahedron_is_closed
+  Needed.closed_test_is_odd
+  Needed.one_component_is_odd
+  Needed.both_components_are_even
 )
 closed='Closed under the global context'
 

@@ -36,14 +36,28 @@
     else if (at == ANSWERED) at <= NOWHERE;
   end
 
-  // What was given to it: its length, and (T, number) of each hit. The best of it.
+  // What was given to it: its length, (T, number) of each hit, and what it asks. The best of it; of a ray that counts
+  // the sum of sides and the number of hits.
   reg any_hit;
   reg [31:0] tested;
-  reg [35:0] least, least_before;
+  reg [35:0] least, least_before, longest;
   wire [35:0] hit = {t, tested};
+`ifdef QUESTIONS
+  reg our_counts, our_turned;
+  reg [35:0] our_from;
+  wire begins_counting = counts;
+  wire before_from = hit < {our_from[35:32], our_from[31:0] | {32{our_counts}}};
+  wire [3:0] side = hit_back == our_turned ? 4'd15 : 4'd1;
+  always @(posedge clk) if (begins_one) {our_counts, our_turned, our_from} <= {counts, turned, from_t, from_number};
+`else
+  wire our_counts = 1'b0, begins_counting = 1'b0, before_from = 1'b0;
+  wire [3:0] side = 4'd0;
+`endif
+  wire improves_one = our_counts ? before_from : hit < least & ~before_from;
   always @(posedge clk) begin
-    if (begins_one) {any_hit, least} <= {any, length, 32'hffffffff};
-    else if (done_one & hit < least) least <= hit;
+    if (begins_one) {any_hit, least} <= {any, begins_counting ? 36'd0 : {length, 32'hffffffff}};
+    else if (done_one & improves_one) least <= our_counts ? {least[35:32] + side, least[31:0] + 32'd1} : hit;
+    if (begins_one) longest <= {length, 32'hffffffff};
     if (reads_one) tested <= number;
     least_before <= least;
   end
@@ -51,6 +65,17 @@
   // The divider asks for a ray while it divides, and compares one cycle before it says so.
   reg asked_1, asked_2, tests_1, tests_2;
   reg [67:0] seen;
+`ifdef QUESTIONS
+  wire [35:0] from_shown = {asked_from_t, asked_from_number};
+  reg counts_seen;
+  reg [35:0] from_seen;
+  always @(posedge clk) {counts_seen, from_seen} <= {asked_counts, from_shown};
+`else
+  wire counts_seen = 1'b0;
+  wire [35:0] from_seen = 36'd0;
+`endif
+  wire seen_before = {t, seen[67:36]} < {from_seen[35:32], from_seen[31:0] | {32{counts_seen}}};
+  wire seen_closer = counts_seen ? seen_before : {t, seen[67:36]} < seen[35:0] & ~seen_before;
   always @(posedge clk) begin
     {asked_2, asked_1} <= {asked_1, asked == one};
     {tests_2, tests_1} <= {tests_1, at == TESTS};
@@ -63,7 +88,7 @@
     if (new_ray & begun == one) assume (at == NOWHERE);
     if (reads_one | leaf_one | ends_one) assume (at == WALKS);
     assume (reads_one + leaf_one + ends_one <= 2'd1);
-    if (done_one) assume (seen_one && closer == ({t, seen[67:36]} < seen[35:0]));
+    if (done_one) assume (seen_one && closer == seen_closer);
   end
 
   // What was said in the last cycle is passed on.
@@ -75,7 +100,7 @@
     {done_before, leaf_before, ended_before} <= {done & ~rst, leaf_done & ~rst, ended & ~rst};
     of_before <= {asked, leaf_ray, walk_ray};
     said_before <= {leaf_stops, leaf_lost, failed};
-    closer_one <= done_one & hit < least;
+    closer_one <= done_one & improves_one;
     leaf_of_one <= leaf_one & ~rst;
   end
 
@@ -90,20 +115,34 @@
     assert ((at == ANSWERED) == (answers & answered == one));
     assert (at <= ANSWERED);
     assert (!here || kinds[one] == any_hit);
-    assert (!here || (divided_bests[one] == leaf_bests[one] && divided_bests[one] == answer_bests[one]));
+    assert (!here || divided_bests[one] == answer_bests[one]);
+    assert (!here || leaf_bests[one] == (our_counts ? longest : divided_bests[one]));
     assert (!here || at == COMPARED || divided_bests[one] == least);
     assert (at != TESTS || numbers[one] == tested);
     assert (!seen_one || seen == {tested, least});
     assert (!(asked_1 & tests_1 & at == TESTS) || {asked_number, best, best_number} == {tested, least});
     if (at == COMPARED) begin
       assert (closer_1 == closer_one);
-      assert (closer_1 ? {t_1, numbers_word} == least : divided_bests[one] == least);
+      assert (our_counts | ~closer_1 ? divided_bests[one] == (closer_1 ? least_before : least)
+                                     : {t_1, numbers_word} == least);
       assert (divided_stops == (closer_one & any_hit));
     end
     // The best never grows, and the answer and the length after a leaf are the best.
-    assert (!here || at == NEW || least <= least_before);
+    assert (!here || at == NEW || our_counts || least <= least_before);
     assert (at != ANSWERED || {answer_t, answer_number} == least);
-    assert (!leaf_of_one || return_cut == {1'b0, least[35:33]});
+    assert (!leaf_of_one || return_cut == {1'b0, our_counts ? longest[35:33] : least[35:33]});
+`ifdef QUESTIONS
+    // What it asks stays, and is shown beside its best hit.
+    assert (!here || {questions[one], froms[one]} == {our_counts, our_turned, our_from});
+    assert (!(asked_1 & at == TESTS) || {asked_counts, from_shown} == {our_counts, our_from});
+    assert (!seen_one || {counts_seen, from_seen} == {our_counts, our_from});
+    if (at == COMPARED) begin
+      assert ({questions_word, divided_bests_word} == {questions[one], divided_bests[one]});
+      assert (!closer_1 || !our_counts || least == {least_before[35:32] + (hit_back_1 == our_turned ? 4'd15 : 4'd1),
+                                                    least_before[31:0] + 32'd1});
+    end
+    cover (at == ANSWERED && our_counts && least[31:0] == 32'd2 && least[35:32] == 4'd0);
+`endif
     cover (at == ANSWERED && least[31:0] != 32'hffffffff);
     cover (at == COMPARED && !closer_one && least[31:0] != 32'hffffffff);
   end

@@ -76,32 +76,53 @@
   // Any ray, and what it wants next: a record, or the first of the triangles that are left, or nothing since a hit.
   (* anyconst *) reg [1:0] one;
   reg is_record, stops_here;
-  reg [4:0] next_block;
+  wire in_leaf = in_missed[one] | in_divided[one] | in_stage[one] | testing[one] | comparing[one];
+`ifdef QUESTIONS
+  // It wants the last triangle again.
+  reg repeats;
+  always @(posedge clk) begin
+    if (rst) repeats <= 1'b0;
+    else if (tested & tester == one) repeats <= again & ~hit;
+    else if ((asks & granted & asker == one) | (goes & walk_ray == one) | (leaf_done & leaf_ray == one))
+      repeats <= 1'b0;
+  end
+  integer m;
+  always @(posedge clk) if (was_reset & ~rst) begin
+    for (m = 0; m < 4; m = m + 1) assert (!missed_at[m][one] || missed_again[m] == repeats);
+    assert (!missed_there || missed_again_word == missed_again[missed_oldest]);
+    assert (!in_stage[one] || again_1 == repeats);
+    assert (!repeats || ((in_missed[one] || in_stage[one]) && !stops_here));
+    assert (!in_leaf || coming != 5'd0);
+    cover (repeats && asks && granted && asker == one && left == 8'd0);
+  end
+`else
+  wire repeats = 1'b0;
+`endif
+  reg [4:0] coming;
   reg [7:0] left;
   always @(posedge clk) begin
     if (goes & walk_ray == one)
-      {is_record, stops_here, next_block, left} <= {triangles == 8'hff, 2'd0, wanted, triangles};
-    else if (asks & granted & asker == one) {next_block, left} <= {next_block + 5'd1, left - 8'd1};
+      {is_record, stops_here, coming, left} <= {triangles == 8'hff, 2'd0, wanted, triangles};
+    else if (asks & granted & asker == one & ~repeats) {coming, left} <= {coming + 5'd1, left - 8'd1};
     if (divided & divided_ray == one) stops_here <= divided_stops;
   end
 
   // A leaf's word is of the triangle that comes next. Before the first is asked for, it is of the second.
-  wire in_leaf = in_missed[one] | in_divided[one] | in_stage[one] | testing[one] | comparing[one];
   wire [12:0] leaf_word = writes & writer == one ? leaf : leaves[one];
-  wire [4:0] behind = next_block + 5'd1, end_of_image = last + 5'd1;
+  wire [4:0] behind = coming + 5'd1, end_of_image = last + 5'd1;
   integer q;
   always @(posedge clk) if (was_reset & ~rst) begin
     for (q = 0; q < 4; q = q + 1) begin
-      assert (!goes_at[q][one] || go_words[q][5:0] == {next_block > last, !is_record, next_block[3:0]});
+      assert (!goes_at[q][one] || go_words[q][5:0] == {coming > last, !is_record, coming[3:0]});
       assert (!divided_at[q][one] || divided_rays[q][0] == stops_here);
     end
     if (in_goes[one]) begin
-      assert (!next_block[4] && left != 8'd0);
+      assert (!coming[4] && left != 8'd0);
       assert (is_record || leaf_word == {behind == end_of_image, left - 8'd1, behind[3:0]});
     end
     if (in_leaf) begin
-      assert (!is_record && next_block <= end_of_image);
-      assert (leaf_word == {next_block == end_of_image, left, next_block[3:0]});
+      assert (!is_record && coming <= end_of_image);
+      assert (leaf_word == {coming == end_of_image, left, coming[3:0]});
     end
     assert (!writes || writer != one || in_leaf);
     assert (!stops_here || in_divided[one] || in_stage[one] || walking[one]);
@@ -112,8 +133,8 @@
     assert (!in_stage[one] || !settled_1 || leaves_word == leaves[one]);
     // A block that is asked for is the next one, and in the image. So triangles come in turn, each once.
     if (asks && asker == one) begin
-      assert (triangle == !is_record && asked_block == next_block && asked_block <= last);
-      assert (left != 8'd0 && !stops_here);
+      assert (triangle == !is_record && asked_block == coming - {4'd0, repeats} && asked_block <= last);
+      assert ((repeats || left != 8'd0) && !stops_here);
       assert (in_goes[one] || !bad[one]);
     end
     // A ray is done when no triangle is left, when its hit said so, when the next block is not in the image, or when
@@ -122,7 +143,8 @@
       assert (leaf_lost == 2'd0 || leaf_lost == 2'd2 || leaf_lost == 2'd3);
       assert (leaf_stops == (leaf_lost != 2'd0 | stops_here));
       assert (leaf_stops || left == 8'd0);
+      assert (!repeats || leaf_lost == 2'd3);
       assert ((leaf_lost == 2'd3) == (!in_goes[one] && bad[one]));
-      assert (leaf_lost != 2'd2 || (next_block > last && left != 8'd0 && !stops_here));
+      assert (leaf_lost != 2'd2 || (coming > last && left != 8'd0 && !stops_here));
     end
   end

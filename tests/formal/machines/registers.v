@@ -1,3 +1,4 @@
+  // A format's text says what more there is: words, bits of the status, whether answers pass by leave of this machine.
   // What was accepted and not done: a write's address and word, its answer, a read's address, what is given.
   reg aw_here, w_here, b_waits, ar_here, r_waits;
   reg [5:0] aw_at, ar_at;
@@ -33,14 +34,14 @@
   // Only what is in the core comes out, and only what was asked for comes. What does not pass is not offered.
   always @* begin
     if (hit_passes) assume (in_core != 6'd0);
-    if (ray_passes) assume (in_core != 6'd63 && lets_rays);
+    if (ray_passes) assume (in_core != 6'd63 && (lets_rays || !gates));
     if (read_valid) assume (at_memory != 2'd0);
     if (asks) assume (at_memory != 2'd3);
     if (request_valid) assume (lets_requests);
-    if (hit_valid) assume (lets_answers);
+    if (hit_valid) assume (lets_answers || !gates);
     if (request_was) assume (request_valid || !lets_requests);
     if (hit_was) assume (hit_valid || !lets_answers);
-    if (resets) assume (!ray_passes);
+    if (resets) assume (!ray_passes || !gates);
   end
   reg request_was, hit_was;
   always @(posedge clk) begin
@@ -72,7 +73,7 @@
       in_core <= reset_now ? 6'd0 : in_core + ray_passes - hit_passes;
       at_memory <= reset_now ? 2'd0 : at_memory + asks - read_valid;
       resetting <= begins | (resetting & ~reset_now);
-      reset_now <= ~reset_now & resetting & ~lets_requests & ~lets_answers & at_memory == 2'd0;
+      reset_now <= ~reset_now & resetting & ~lets_requests & ~answers_left & at_memory == 2'd0;
       if (writes_at(6'd9)) {cycles, rays, answered, hits, records, triangles, idles, refusals} <= 272'd0;
       else begin
         cycles <= cycles + 34'd1;
@@ -95,7 +96,7 @@
     case (place)
       6'd0: word_at = 32'h48697470;
       6'd1: word_at = 32'd2;
-      6'd2: word_at = {16'd0, wrong, 7'd0, resetting, in_core == 6'd0 & ~resetting};
+      6'd2: word_at = {15'd0, more_wrong, wrong, 7'd0, resetting, in_core == 6'd0 & ~resetting & ~more_busy};
       6'd4: word_at = {23'd0, base_is, 6'd0};
       6'd6: word_at = last_is;
       6'd7: word_at = steps_are;
@@ -119,7 +120,7 @@
       6'd29: word_at = {30'd0, idles[33:32]};
       6'd30: word_at = refusals[31:0];
       6'd31: word_at = {30'd0, refusals[33:32]};
-      default: word_at = 32'd0;
+      default: word_at = more_at(place);
     endcase
   endfunction
 
@@ -141,8 +142,9 @@
     assert ({stops, resets} == {resetting, reset_now});
     assert (lets_rays == ~resetting);
     assert (resetting || (lets_requests && lets_answers));
-    assert (!resetting || {lets_requests, lets_answers} == {request_was, hit_was});
-    assert (!reset_now || (resetting && at_memory == 2'd0 && !lets_requests && !lets_answers));
+    assert (!resetting || lets_requests == request_was);
+    assert (!resetting || !gates || lets_answers == hit_was);
+    assert (!reset_now || (resetting && at_memory == 2'd0 && !lets_requests && (!lets_answers || !gates)));
     cover (reset_now && in_core != 6'd0);
     cover (rvalid && rdata == 32'h00008002);
   end

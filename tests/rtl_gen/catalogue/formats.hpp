@@ -86,9 +86,10 @@ inline std::vector<DesignFormat> every_design() {
                       {"20+1/13", "16+0/8", "6+0/4", "12+2/10f1", "8+3/6f-1", "32+3/28"});
 }
 
-/// Each design once, at few bits: for tests that start a tool for each, of what does not depend on widths.
+/// Each design once, at few bits: for tests that start a tool for each, of what does not depend on widths. The
+/// triangle test is there with other results too.
 inline std::vector<DesignFormat> every_small_design() {
-  return every_design({"6/6"}, {"6+0/4"}, {"e5m10"}, {"8+0/4s8"}, {"8+0s8"});
+  return every_design({"6/6"}, {"6+0/4"}, {"e5m10"}, {"8+0/4s8"}, {"8+0s8", "8+0s8c1", "8+0s8b1c2"});
 }
 
 /// For its testbench in Icarus, which takes a second for a thousand vectors of a large unit.

@@ -47,7 +47,7 @@ TEST_P(AxiStream, AnswersAsTheDesignAndLeavesItAsItIs) {
 }
 
 std::vector<DesignFormat> streamed_designs() {
-  return every_design({"20/24", "6/11"}, {"6+0/4"}, {"e5m10"}, {"8+0/4s8"}, {"8+0s8"});
+  return every_design({"20/24", "6/11"}, {"6+0/4"}, {"e5m10"}, {"8+0/4s8"}, {"8+0s8", "8+0s8c2"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, AxiStream, testing::ValuesIn(streamed_designs()), design_suffix);

@@ -8,32 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "hls/num/bits.hpp"
-#include "rtl_gen/graph/graph.hpp"
 #include "sim/software.hpp"
-#include "tests/sim/check/mutations.hpp"
+#include "tests/sim/check/triangle_units.hpp"
 
 namespace hitpipe::sim::triangle_check_test {
 namespace {
 
-using hls::WorldBits;
 using ref::IntCrossing;
-
-TriangleCategoryResult sum_of(const MakeTriangleTest& make, std::uint64_t tests, host::Piece piece = {}) {
-  TriangleCheckOptions options;
-  const auto all = ref::int_categories();
-  options.categories = {all.begin(), all.end()};
-  options.tests = tests;
-  options.piece = piece;
-  TriangleCategoryResult sum;
-  for (const TriangleCategoryResult& each : check_triangles(make, options)) sum += each;
-  return sum;
-}
-
-std::unique_ptr<TriangleTest> unit(const std::string& bits) {
-  const rtl::Design& design = rtl::find_design("int_triangle");
-  return make_triangle_test(design, design.parse_format(bits));
-}
+using namespace triangle_units;
 
 TEST(TriangleCheck, PiecesTogetherAreTheWhole) {
   const auto counts = [](const TriangleCategoryResult& sum) {
@@ -51,87 +33,42 @@ TEST_P(Formats, AreExact) {
   const TriangleCategoryResult sum = sum_of([] { return unit(GetParam()); }, 120'000);
   EXPECT_EQ(sum.wrong, 0U);
   EXPECT_GT(sum.hits, 20'000U);
+  const bool crossings = GetParam().find('c') != std::string::npos;
+  EXPECT_EQ(sum.ties > 10'000, crossings);
+  EXPECT_EQ(sum.counted > 2'000, crossings);
 }
 
 INSTANTIATE_TEST_SUITE_P(Widths, Formats,
                          testing::Values("8+0s8b1", "8+3s32t8b1", "16+1s16", "20+1s20", "20+1s20t4b1",
-                                         "22+1s20b1", "24+3s32t8b1"));
+                                         "22+1s20b1", "24+3s32t8b1", "8+0s8c1", "20+1s20c1", "24+3s32t8b1c1",
+                                         "8+0s8c2", "16+1s16c2", "20+1s20c2", "24+3s32t8b1c2"));
 
 /// A unit with a fault in an operand, or in what is made of the results.
-class Faulty final : public TriangleTest {
+class Faulty final : public Own {
  public:
   using Operand = std::function<void(const std::vector<rtl::Port>&, std::int64_t*)>;
   using Answer = std::function<std::optional<IntCrossing>(const IntCrossing&)>;
 
   Faulty(Operand operand, Answer answer)
-      : own_(unit("20+1s20b1")),
+      : Own("20+1s20b1"),
         ports_(rtl::find_design("int_triangle")
                    .ports(rtl::find_design("int_triangle").parse_format("20+1s20b1"))),
         operand_(std::move(operand)),
         answer_(std::move(answer)) {}
 
-  [[nodiscard]] const WorldBits& world() const override { return own_->world(); }
-  [[nodiscard]] std::size_t operand_count() const override { return own_->operand_count(); }
-  void start(const ref::IntRay& ray) override { own_->start(ray); }
   void operands(const ref::IntTriangle& triangle, std::int64_t* out) const override {
-    own_->operands(triangle, out);
+    Own::operands(triangle, out);
     if (operand_) operand_(ports_, out);
   }
   [[nodiscard]] std::optional<IntCrossing> crossing(const std::int64_t* results) const override {
-    const auto right = own_->crossing(results);
+    const auto right = Own::crossing(results);
     return right && answer_ ? answer_(*right) : right;
   }
-  [[nodiscard]] const rtl::Evaluate& evaluate() const override { return own_->evaluate(); }
 
  private:
-  std::unique_ptr<TriangleTest> own_;
   std::vector<rtl::Port> ports_;
   Operand operand_;
   Answer answer_;
-};
-
-rtl::Graph traced() {
-  const rtl::Design& design = rtl::find_design("int_triangle");
-  return design.trace(design.parse_format("20+1s20b1"));
-}
-
-/// A unit whose datapath has a fault.
-class FaultyDatapath final : public TriangleTest {
- public:
-  explicit FaultyDatapath(const std::function<GraphFault>& fault)
-      : own_(unit("20+1s20b1")),
-        ports_(rtl::find_design("int_triangle").ports(format())),
-        graph_(mutated(traced(), fault)),
-        inputs_(ports_.size()),
-        results_(rtl::find_design("int_triangle").results(format())) {}
-
-  [[nodiscard]] const WorldBits& world() const override { return own_->world(); }
-  [[nodiscard]] std::size_t operand_count() const override { return own_->operand_count(); }
-  void start(const ref::IntRay& ray) override { own_->start(ray); }
-  void operands(const ref::IntTriangle& triangle, std::int64_t* out) const override {
-    own_->operands(triangle, out);
-    for (std::size_t i = 0; i < inputs_.size(); ++i)
-      inputs_[i] = static_cast<std::uint64_t>(out[i]) & ~std::uint64_t{0} >> (64 - ports_[i].width);
-  }
-  /// Of the operands that were asked for last.
-  [[nodiscard]] std::optional<IntCrossing> crossing(const std::int64_t* /*right*/) const override {
-    const std::vector<std::uint64_t> bits = rtl::evaluate(graph_, inputs_);
-    std::vector<std::int64_t> results(bits.size());
-    for (std::size_t i = 0; i < bits.size(); ++i)
-      results[i] = results_[i].is_signed ? hls::sign_extended(bits[i], results_[i].width)
-                                         : static_cast<std::int64_t>(bits[i]);
-    return own_->crossing(results.data());
-  }
-  [[nodiscard]] const rtl::Evaluate& evaluate() const override { return own_->evaluate(); }
-
- private:
-  static rtl::Format format() { return rtl::find_design("int_triangle").parse_format("20+1s20b1"); }
-
-  std::unique_ptr<TriangleTest> own_;
-  std::vector<rtl::Port> ports_;
-  rtl::Graph graph_;
-  mutable std::vector<std::uint64_t> inputs_;
-  std::vector<hls::Result> results_;
 };
 
 std::size_t place(const std::vector<rtl::Port>& ports, const std::string& name) {
@@ -179,15 +116,6 @@ std::vector<Fault> faults() {
                    return right;
                  }});
   return all;
-}
-
-struct DatapathFault {
-  std::string name;
-  std::function<GraphFault> fault;
-};
-
-void PrintTo(const DatapathFault& fault, std::ostream* out) {
-  *out << fault.name;
 }
 
 /// The value has fewer bits. It is the low part of a wider one, of which others may read some bits too.
@@ -261,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(Each, Faults, testing::ValuesIn(faults()),
 
 TEST(TriangleCheck, ThreadsChangeNothing) {
   TriangleCheckOptions options;
-  const auto all = ref::int_categories();
+  const auto all = ref::int_categories(unit("12+1s12")->world());
   options.categories = {all.begin(), all.end()};
   options.tests = 30'000;
   const auto hits = [&](int threads) {
@@ -272,6 +200,23 @@ TEST(TriangleCheck, ThreadsChangeNothing) {
     return each;
   };
   EXPECT_EQ(hits(1), hits(2));
+}
+
+TEST(TriangleCheck, AFormatSaysWhichResultsThereAre) {
+  const rtl::Design& design = rtl::find_design("int_triangle");
+  const auto last_two = [&](const std::string& bits) {
+    const auto results = design.results(design.parse_format(bits));
+    return std::string(results.at(results.size() - 2).name) + " " + results.back().name;
+  };
+  EXPECT_EQ(last_two("20+1s20"), "num_high num_low");
+  EXPECT_EQ(last_two("20+1s20b1"), "v_high v_low");
+  EXPECT_EQ(last_two("20+1s20c1"), "tie side");
+  EXPECT_EQ(last_two("20+1s20t2b1c2"), "once side");
+  EXPECT_EQ(last_two("20+1s20c3"), "zero inner");
+  EXPECT_EQ(to_string(design.parse_format("20+1s20c2")), "20+1s20c2");
+  EXPECT_EQ(design.parse_format("20+1s20c2").type(), "WorldFormat<20, 1, 20, 0, 0, 2>");
+  for (const char* bits : {"20+1s20c4", "20+1s20c", "20+1s20c1b1"})
+    EXPECT_THROW((void)design.parse_format(bits), std::runtime_error) << bits;
 }
 
 TEST(TriangleCheck, ABoxUnitHasNoTriangles) {

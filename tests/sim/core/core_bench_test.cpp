@@ -19,6 +19,7 @@
 #include "sw_ref/world/int_ray.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/text.hpp"
+#include "tests/sim/core/both_cores.hpp"
 #include "tests/sim/core/core_pictures.hpp"
 
 namespace hitpipe::sim::core_bench_test {
@@ -31,45 +32,19 @@ struct Kind {
   int rays;
   int stack_bits;
   MemoryOptions memory;
+  int cache_kib = 0;  ///< of the core
+  bool rings = false;
+
+  [[nodiscard]] rtl::CoreOptions core() const {
+    rtl::CoreOptions made = options_of(rays, stack_bits);
+    made.cache_kib = cache_kib;
+    made.rings = rings;
+    if (rings) made.door = rtl::Door::binary32;
+    return made;
+  }
 };
 
 constexpr CoreBenchOptions far_image{.base = 0x1'8000'0003, .held_percent = 30};
-
-/// The core in software and in Verilog. All outputs are compared in every cycle.
-class BothCores final : public rtl::NativeMachine {
- public:
-  BothCores(const rtl::Core& core, const std::string& verilog)
-      : core_(core), native_(core), verilog_(core, verilog), other_(core.ports.size()) {}
-
-  void outputs(rtl::Word* outputs) override {
-    native_.outputs(outputs);
-    verilog_.outputs(other_.data());
-    std::size_t place = 0;
-    for (const rtl::CorePort& port : core_.ports) {
-      if (port.pin.is_input) continue;
-      if (first_difference.empty() && started_ && outputs[place] != other_[place])
-        first_difference = fmt::format("{} in cycle {}", port.pin.name, cycle_);
-      ++place;
-    }
-  }
-  void step(const rtl::Word* inputs, bool reset) override {
-    native_.step(inputs, reset);
-    verilog_.step(inputs, reset);
-    started_ = true;
-    ++cycle_;
-  }
-  void state(rtl::Word*) const override {}
-
-  std::string first_difference;
-
- private:
-  const rtl::Core& core_;
-  NativeCore native_;
-  VerilatedMachine verilog_;
-  std::vector<rtl::Word> other_;
-  bool started_ = false;
-  int cycle_ = 0;
-};
 
 void expect_right(const CorePicture& picture, const CoreBench& bench,
                   const std::vector<CoreAnswer>& answers) {
@@ -97,7 +72,7 @@ TEST_P(CoreWith, AnswersAndReadsAsSoftwareDoes) {
   const Kind& kind = GetParam();
   const CorePicture picture(1 << kind.stack_bits);
   ASSERT_GT(picture.rays.jobs.size(), 1'000U);
-  const rtl::Core core = rtl::make_core(options_of(kind.rays, kind.stack_bits), library());
+  const rtl::Core core = rtl::make_core(kind.core(), library());
   NativeCore native(core);
   CoreBench bench(core, native, picture.image, kind.memory, far_image);
   std::vector<CoreAnswer> answers(picture.rays.jobs.size());
@@ -110,7 +85,7 @@ TEST_P(CoreWith, NeedsNoWordThatIsReadWhileItIsWritten) {
   const Kind& kind = GetParam();
   const CorePicture picture(1 << kind.stack_bits, 24);
   for (const int triangle_interval : {4, 0}) {
-    rtl::CoreOptions options = options_of(kind.rays, kind.stack_bits);
+    rtl::CoreOptions options = kind.core();
     options.triangle_interval = triangle_interval;
     const rtl::Core core = rtl::make_core(options, library());
     NativeCore usual(core), spoilt(core, rtl::Collision::any_word);
@@ -126,20 +101,25 @@ TEST_P(CoreWith, NeedsNoWordThatIsReadWhileItIsWritten) {
 
 INSTANTIATE_TEST_SUITE_P(
     Memories, CoreWith,
-    testing::Values(Kind{"AtOnce", 128, 3, {.least_latency = 1, .most_latency = 1}},
-                    Kind{"OneRay", 1, 3, {.least_latency = 1, .most_latency = 30}},
-                    Kind{"SevenRays", 7, 1, {.least_latency = 1, .most_latency = 200}},
-                    Kind{"Random", 128, 1, {.least_latency = 1, .most_latency = 200}},
-                    Kind{
-                        "Refusing", 256, 2, {.least_latency = 1, .most_latency = 400, .refused_percent = 70}},
-                    Kind{"InOrder", 64, 3, {.least_latency = 1, .most_latency = 50, .in_order = true}},
-                    Kind{"Cached", 32, 3, {.cache_kib = 4}}),
+    testing::Values(
+        Kind{"AtOnce", 128, 3, {.least_latency = 1, .most_latency = 1}},
+        Kind{"OneRay", 1, 3, {.least_latency = 1, .most_latency = 30}},
+        Kind{"SevenRays", 7, 1, {.least_latency = 1, .most_latency = 200}},
+        Kind{"Random", 128, 1, {.least_latency = 1, .most_latency = 200}},
+        Kind{"Refusing", 256, 2, {.least_latency = 1, .most_latency = 400, .refused_percent = 70}},
+        Kind{"InOrder", 64, 3, {.least_latency = 1, .most_latency = 50, .in_order = true}},
+        Kind{"BehindAModel", 32, 3, {.cache_kib = 4}},
+        Kind{"Cached", 32, 3, {.least_latency = 1, .most_latency = 60, .reads_lines = true}, 4},
+        Kind{
+            "RingsAndACache", 32, 3, {.least_latency = 1, .most_latency = 60, .reads_lines = true}, 4, true}),
     [](const auto& each) { return each.param.name; });
 
 struct Form {
   hls::RayBits bits;
   int triangle_interval = 4;  ///< 0: one multiplier
   bool weights = false;
+  int cache_kib = 0, data_bits = 256, cache_line = 64;
+  bool rings = false;
 };
 
 /// In every format: with a fraction of T and of box distances, and with the smallest numbers.
@@ -153,10 +133,17 @@ TEST_P(CoreInVerilog, IsTheSameInEveryCycle) {
   options.tag_bits = 4;
   options.triangle_interval = GetParam().triangle_interval;
   options.weights = GetParam().weights;
+  options.rings = GetParam().rings;
+  if (options.rings) options.door = rtl::Door::binary32;
+  options.cache_kib = GetParam().cache_kib;
+  options.cache_line = GetParam().cache_line;
+  options.data_bits = GetParam().data_bits;
+  MemoryOptions memory{.least_latency = 1, .most_latency = 60, .refused_percent = 20};
+  memory.in_order = options.has_one_id();
+  memory.reads_lines = options.has_cache();
   const rtl::Core core = rtl::make_core(options, library());
   BothCores both(core, rtl::to_verilog(core, library()));
-  CoreBench bench(core, both, picture.image, {.least_latency = 1, .most_latency = 60, .refused_percent = 20},
-                  far_image);
+  CoreBench bench(core, both, picture.image, memory, far_image);
   std::vector<CoreAnswer> answers(picture.rays.jobs.size());
   bench.run(picture.rays.jobs, answers);
   EXPECT_EQ(answers.front().weights.has_value(), options.weights);
@@ -166,16 +153,22 @@ TEST_P(CoreInVerilog, IsTheSameInEveryCycle) {
   EXPECT_EQ(bench.counts().triangles, picture.rays.work.triangles_loaded);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, CoreInVerilog,
-                         testing::Values(Form{bits}, Form{hls::RayBits{}}, Form{{16, 2, 9, -1, 14, 3}},
-                                         Form{{24, 1, 14, 1, 24, 1}}, Form{{8, 0, 4, 0, 8, 0}}, Form{bits, 0},
-                                         Form{{24, 1, 14, 1, 24, 1}, 0}, Form{bits, 4, true},
-                                         Form{{24, 3, 14, 0, 32, 0}, 7, true}),
-                         [](const auto& each) {
-                           return rtl::Format(each.param.bits).identifier() +
-                                  (each.param.triangle_interval == 0 ? "_serial" : "") +
-                                  (each.param.weights ? "_weights" : "");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Formats, CoreInVerilog,
+    testing::Values(Form{bits}, Form{hls::RayBits{}}, Form{{16, 2, 9, -1, 14, 3}},
+                    Form{{24, 1, 14, 1, 24, 1}}, Form{{8, 0, 4, 0, 8, 0}}, Form{bits, 0},
+                    Form{{24, 1, 14, 1, 24, 1}, 0}, Form{bits, 4, true}, Form{{24, 3, 14, 0, 32, 0}, 7, true},
+                    Form{bits, 4, false, 4}, Form{bits, 0, false, 2, 64}, Form{bits, 4, true, 8, 512},
+                    Form{bits, 4, false, 2, 128, 32}, Form{bits, 4, false, 2, 512, 32},
+                    Form{bits, 4, false, 0, 64, 64, true}, Form{hls::RayBits{}, 4, false, 4, 256, 64, true}),
+    [](const auto& each) {
+      return rtl::Format(each.param.bits).identifier() +
+             (each.param.triangle_interval == 0 ? "_serial" : "") + (each.param.weights ? "_weights" : "") +
+             (each.param.rings ? "_rings" : "") +
+             (each.param.cache_kib == 0 ? ""
+                                        : fmt::format("_cache{}x{}x{}", each.param.cache_kib,
+                                                      each.param.data_bits, each.param.cache_line));
+    });
 
 /// Rays that a unit int_ray in the core makes integers, among some that are no rays.
 TEST(CoreWithFloats, AnswersAsWithIntegers) {

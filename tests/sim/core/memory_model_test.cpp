@@ -275,11 +275,11 @@ TEST(MemoryModel, ALineTakesItsTimeAndAHitNone) {
   EXPECT_FALSE(memory.step());
   memory.ask(1, 1);
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(memory.step());
-  EXPECT_EQ(memory.step(), (MemoryAnswer{1, block_at(1)}));
+  EXPECT_EQ(memory.step(), (MemoryAnswer{1, 1, block_at(1)}));
 }
 
 // 1 KiB are two sets of eight lines; the lines of even numbers, so blocks 0, 4, 8 and so on, share a set.
-TEST(MemoryModel, TheLeastRecentlyUsedLineMakesRoom) {
+TEST(MemoryModel, TheOldestLineMakesRoom) {
   MemoryModel memory(image(), {.least_latency = 1, .most_latency = 1, .cache_kib = 1});
   const auto hits = [&](std::uint32_t even_line, std::uint32_t half = 0) {
     const std::uint64_t before = memory.counts().hits;
@@ -288,24 +288,24 @@ TEST(MemoryModel, TheLeastRecentlyUsedLineMakesRoom) {
   };
   for (std::uint32_t line = 0; line < 8; ++line) EXPECT_FALSE(hits(line));
   for (std::uint32_t odd = 0; odd < 20; ++odd) alone(memory, 4 * odd + 2);  // the other set
-  EXPECT_TRUE(hits(0, 1));                                                  // the oldest is now line 1
-  EXPECT_FALSE(hits(8));                                                    // in its place
+  EXPECT_TRUE(hits(0, 1));
+  EXPECT_FALSE(hits(8));  // for line 1, the first of the oldest
   EXPECT_TRUE(hits(0));
   EXPECT_TRUE(hits(2));
   EXPECT_FALSE(hits(1, 1));  // for line 3
   EXPECT_TRUE(hits(4));
   EXPECT_FALSE(hits(3));  // for line 5
   EXPECT_TRUE(hits(6));
-  EXPECT_TRUE(hits(7));
+  EXPECT_TRUE(hits(7));  // there is no old one now, so all get older
   EXPECT_TRUE(hits(8));
   EXPECT_TRUE(hits(1));
-  EXPECT_FALSE(hits(5));  // for line 0
-  EXPECT_FALSE(hits(0));  // for line 2
+  EXPECT_FALSE(hits(5));  // for line 3
+  EXPECT_TRUE(hits(0));
   EXPECT_TRUE(hits(4));
-  EXPECT_FALSE(hits(2));  // for line 3
+  EXPECT_FALSE(hits(3));  // for line 5
   const MemoryCounts& counts = memory.counts();
-  EXPECT_EQ(counts.hits, 9U);
-  EXPECT_EQ(counts.misses, 8U + 20U + 6U);
+  EXPECT_EQ(counts.hits, 10U);
+  EXPECT_EQ(counts.misses, 8U + 20U + 5U);
   EXPECT_EQ(counts.merged, 0U);
   EXPECT_EQ(counts.bytes_read, 64 * counts.misses);
 }

@@ -2,8 +2,12 @@
 #include "sim/core/memory_port.hpp"
 
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,14 +49,21 @@ TEST(MemoryPort, IsAFile) {
   EXPECT_EQ(figures(file), std::tuple(3, 9, 8, 1, 4, 0));
   EXPECT_EQ(figures(file + ",latency=5"), std::tuple(5, 5, 8, 1, 4, 0));
   EXPECT_EQ(memory_port(file).cycles_of(32), 8);
+  const std::string rows =
+      folder
+          .write("rows.json", R"({"row_bytes": 1024, "banks": 4, "row_cycles": 9, "refresh_every": 100000})")
+          .string();
+  const DramRows made = memory_port(rows).rows;
+  EXPECT_EQ(std::tuple(made.row_bytes, made.banks, made.row_cycles, made.refresh_every),
+            std::tuple(1024, 4, 9, 100'000));
 }
 
 /// A bus that is narrower than the memory's port is the limit.
 TEST(MemoryPort, IsBehindTheBusOfACore) {
-  const MemoryOptions wide = memory_behind(memory_port("dram"), 1);
+  const MemoryOptions wide = memory_behind(memory_port("dram"), {});
   EXPECT_EQ(wide.interval, 9);
   EXPECT_EQ(wide.line_interval, 12);
-  const MemoryOptions narrow = memory_behind(memory_port("axi-256"), 4);
+  const MemoryOptions narrow = memory_behind(memory_port("axi-256"), {.data_bits = 64});
   EXPECT_EQ(narrow.interval, 4);
   EXPECT_EQ(narrow.line_interval, 8);
   EXPECT_EQ(narrow.least_latency, 60);
@@ -66,16 +77,18 @@ TEST(MemoryPort, SaysWhatIsAllowed) {
   const auto refusal_of = [&](const std::string& text) {
     return refusal(folder.write("m.json", text).string());
   };
+  std::vector<std::string_view> names;
+  for (const KnownMemory& each : known_memories()) names.push_back(each.name);
   EXPECT_EQ(refusal("nothing"),
-            "memory nothing: there is no memory nothing; allowed is ideal, dram, axi-256, or a JSON file");
+            fmt::format("memory nothing: there is no memory nothing; allowed is {}, or a JSON file",
+                        fmt::join(names, ", ")));
   EXPECT_EQ(refusal("ideal,latency=0"), "memory ideal: latency is 0; allowed is 1 to 10000");
   EXPECT_EQ(refusal("ideal,latency=9..3"),
             "memory ideal: latency is 9..3; allowed is the least, and then the most");
   EXPECT_EQ(refusal("ideal,latency"), "memory ideal: a figure is latency; allowed is FIGURE=N");
+  EXPECT_EQ(refusal("ideal,banks=3"), "memory ideal: banks is 3; allowed is a power of two");
   EXPECT_EQ(refusal("ideal,beat_bytes=24"), "memory ideal: beat_bytes is 24; allowed is a power of two");
-  EXPECT_EQ(refusal("ideal,rows=2"),
-            "memory ideal: there is no figure rows; allowed is latency, beat_bytes, beat_cycles, "
-            "burst_cycles, refused_percent");
+  EXPECT_EQ(refusal("ideal,rows=2"), "memory ideal: there is no figure rows; allowed is " + figure_names());
   EXPECT_THAT(refusal_of(R"({"latency": [3]})"), testing::HasSubstr("latency: it has not two numbers"));
   EXPECT_THAT(refusal_of(R"({"rows": 3})"), testing::HasSubstr("rows"));
   EXPECT_THAT(refusal_of(R"({"refused_percent": 100})"),

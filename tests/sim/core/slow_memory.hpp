@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/core/memory_model.hpp"
+#include "tests/sw_ref/memory/aged_set.hpp"
 
 namespace hitpipe::sim {
 
@@ -24,9 +25,8 @@ class SlowMemory {
     const std::uint32_t line = std::min(block, static_cast<std::uint32_t>(blocks_.size())) / 2;
     Request request{.block = block, .tag = tag, .number = counts.requests++, .ready = {}};
     counts.outside += block >= blocks_.size() ? 1 : 0;
-    if (auto& lines = set_of(line); cached && lines.contains(line)) {
+    if (cached && set_of(line).use(line)) {
       ++counts.hits;
-      lines[line] = ++uses_;
       request.ready = cycle_ + static_cast<std::uint64_t>(options_.hit_latency);
     } else {
       ++counts.misses;
@@ -56,13 +56,13 @@ class SlowMemory {
       for (Request& request : requests_)
         if (std::count(read->requests.begin(), read->requests.end(), request.number) > 0)
           request.ready = cycle_;
-      if (cached) place(read->line);
+      if (cached) set_of(read->line).place(read->line);
       reads_.erase(read);
     }
     const auto request = first(requests_, cycle_);
     if (request == requests_.end()) return std::nullopt;
     ++counts.answers;
-    MemoryAnswer answer{.tag = request->tag};
+    MemoryAnswer answer{.tag = request->tag, .number = request->block};
     if (request->block < blocks_.size()) answer.block = blocks_[request->block];
     requests_.erase(request);
     return answer;
@@ -82,17 +82,8 @@ class SlowMemory {
     std::optional<std::uint64_t> ready;
     std::vector<std::uint64_t> requests;
   };
-  using Lines = std::map<std::uint32_t, std::uint64_t>;  ///< when each line was last used
-
-  Lines& set_of(std::uint32_t line) {
-    return sets_[options_.cache_kib > 0 ? line % static_cast<std::uint32_t>(2 * options_.cache_kib) : 0];
-  }
-  void place(std::uint32_t line) {
-    Lines& lines = set_of(line);
-    if (lines.size() == 8)
-      lines.erase(std::min_element(lines.begin(), lines.end(),
-                                   [](const auto& a, const auto& b) { return a.second < b.second; }));
-    lines[line] = ++uses_;
+  ref::AgedSet& set_of(std::uint32_t line) {
+    return sets_.try_emplace(line % static_cast<std::uint32_t>(2 * options_.cache_kib), 8).first->second;
   }
   /// What comes next and is ready; the end when there is none.
   template <class Entry>
@@ -113,10 +104,10 @@ class SlowMemory {
   std::span<const ref::CoreBlock> blocks_;
   MemoryOptions options_;
   ref::adversary::Random latencies_;
-  std::map<std::uint32_t, Lines> sets_;
+  std::map<std::uint32_t, ref::AgedSet> sets_;
   std::vector<Request> requests_;
   std::vector<Read> reads_;
-  std::uint64_t uses_ = 0, cycle_ = 0, free_ = 0;
+  std::uint64_t cycle_ = 0, free_ = 0;
 };
 
 }  // namespace hitpipe::sim

@@ -55,7 +55,9 @@ inline SweepRow a_row() {
   row.indexed_bytes_16kib = 3'000'000;
   row.indexed_bytes_64kib = 2'000'000;
   row.rtl_seconds = 0.125;
-  row.software_ratio = 1.75;
+  row.software_s = 1.75;
+  row.software_s_lower = 1.5;
+  row.software_s_upper = 2;
   return row;
 }
 

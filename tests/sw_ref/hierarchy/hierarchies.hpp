@@ -22,7 +22,10 @@ using adversary::Random;
 inline constexpr std::uint64_t seed = 20052;
 
 inline glm::vec3 point(Random& random, float range) {
-  return glm::vec3(random.signed_unit(), random.signed_unit(), random.signed_unit()) * range;
+  // One after the other: compilers evaluate arguments in orders of their own.
+  const float z = random.signed_unit();
+  const float y = random.signed_unit();
+  return glm::vec3(random.signed_unit(), y, z) * range;
 }
 
 inline void add(Mesh& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -40,7 +43,9 @@ inline Mesh spheres(Random& random) {
       glm::vec3 on = point(random, 1);
       on *= 0.25F / std::sqrt(on.x * on.x + on.y * on.y + on.z * on.z);
       const glm::vec3 at = centre + on;
-      add(mesh, at, at + point(random, 0.02F), at + point(random, 0.02F));
+      const glm::vec3 c = at + point(random, 0.02F);
+      const glm::vec3 b = at + point(random, 0.02F);
+      add(mesh, at, b, c);
     }
   }
   return mesh;
@@ -49,10 +54,18 @@ inline Mesh spheres(Random& random) {
 /// In a plane of constant y, and some on a line: sides of zero width when boxes are not padded.
 inline Mesh flat(Random& random) {
   Mesh mesh;
-  const auto in_plane = [&] { return glm::vec3(random.signed_unit(), 0.3F, random.signed_unit()); };
+  const auto in_plane = [&] {
+    const float z = random.signed_unit();
+    return glm::vec3(random.signed_unit(), 0.3F, z);
+  };
   const auto on_line = [&] { return glm::vec3(-0.7F, random.signed_unit(), 1e-30F); };
-  for (int i = 0; i < 1000; ++i) add(mesh, in_plane(), in_plane(), in_plane());
-  for (int i = 0; i < 200; ++i) add(mesh, on_line(), on_line(), on_line());
+  const auto add_three = [&](const auto& corner) {
+    const glm::vec3 c = corner();
+    const glm::vec3 b = corner();
+    add(mesh, corner(), b, c);
+  };
+  for (int i = 0; i < 1000; ++i) add_three(in_plane);
+  for (int i = 0; i < 200; ++i) add_three(on_line);
   return mesh;
 }
 

@@ -160,6 +160,35 @@ TEST(SmallLeaves, HalvesKeepBoxAndOrder) {
   EXPECT_EQ(counts, (std::vector<std::int32_t>{2, 1, 2}));
 }
 
+TEST(JoinedLeaves, HoldWhatTheirBranchesHeld) {
+  for (const Sample& sample : samples()) {
+    const Bvh bvh = built(sample);
+    const Bvh joined = joined_leaves(bvh, 4);
+    EXPECT_EQ(joined.order, bvh.order);
+    std::vector<std::uint32_t> pending{0};
+    std::uint32_t next = 0;  // leaves follow each other in the order
+    while (!pending.empty()) {
+      const BvhNode& node = joined.nodes[pending.back()];
+      const BvhNode& before = bvh.nodes[pending.back()];
+      pending.pop_back();
+      EXPECT_EQ(node.box.min, before.box.min);
+      EXPECT_EQ(node.box.max, before.box.max);
+      if (node.is_leaf()) {
+        EXPECT_TRUE(before.is_leaf() || node.count <= 4);
+        EXPECT_EQ(node.first, next);
+        next += static_cast<std::uint32_t>(node.count);
+        continue;
+      }
+      const BvhNode& left = joined.nodes[node.first];
+      const BvhNode& right = joined.nodes[node.first + 1];
+      EXPECT_FALSE(left.is_leaf() && right.is_leaf() && left.count + right.count <= 4);
+      pending.push_back(node.first + 1);
+      pending.push_back(node.first);
+    }
+    EXPECT_EQ(next, bvh.order.size());
+  }
+}
+
 /// From tiny to whole widths, the grid is the finest power of two that reaches.
 TEST(LocalGrid, ReachesFromMinToMaxOfAnyBox) {
   Random random(seed + 2);
@@ -189,12 +218,11 @@ TEST(WideNode, KindsAndBranchesAreThoseOfCwbvh) {
   EXPECT_EQ(node.kinds[2], 0b111'00010U);
   EXPECT_EQ(node.kinds[3], 0b001'11011U);
   EXPECT_EQ(node.kinds[4], 0U);
-  std::array<BoxedChild, 8> decoded;
-  ASSERT_EQ(node.decoded(decoded), 4U);
-  EXPECT_EQ(decoded[1].first, 100U);
-  EXPECT_EQ(decoded[2].first, 202U);
-  EXPECT_EQ(decoded[2].count, 3);
-  EXPECT_EQ(decoded[3].first, 101U);
+  ASSERT_EQ(node.children(), 4U);
+  EXPECT_EQ(node.child(1).first, 100U);
+  EXPECT_EQ(node.child(2).first, 202U);
+  EXPECT_EQ(node.child(2).count, 3);
+  EXPECT_EQ(node.child(3).first, 101U);
 }
 
 /// Records and the triangles before them, so that one pointer is enough for both children.

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/message_of.hpp"
+#include "tests/sw_ref/memory/aged_set.hpp"
 
 namespace hitpipe::ref::line_cache_test {
 namespace {
@@ -40,6 +41,26 @@ std::uint64_t plain(const std::vector<std::uint32_t>& lines, std::size_t sets, s
     if (set.size() > ways) set.pop_back();
   }
   return count;
+}
+
+TEST(LineCache, ByAgeFetchesWhatItsDefinitionDoes) {
+  constexpr unsigned seed = 61;
+  std::mt19937 random(seed);
+  for (const std::uint32_t ways : {1U, 2U, 4U, 8U, 16U}) {
+    constexpr std::uint32_t sets = 4;
+    LineCache cache({.bytes = 64 * sets * ways, .ways = ways, .replacement = Replacement::by_age});
+    std::vector<AgedSet> plain_sets(sets, AgedSet(ways));
+    for (int i = 0; i < 5000; ++i) {
+      const auto line =
+          static_cast<std::uint32_t>(random() % (random() % 3 == 0 ? 10 * sets * ways : 2 * sets));
+      const bool fetches = !cache.use(line);
+      AgedSet& plain_set = plain_sets[line % sets];
+      ASSERT_EQ(fetches, !plain_set.use(line)) << "seed " << seed << ", " << ways << " ways, line " << i;
+      if (!fetches) continue;
+      cache.place(line);
+      plain_set.place(line);
+    }
+  }
 }
 
 TEST(LineCache, FetchesWhatLeastRecentlyUsedListsDo) {

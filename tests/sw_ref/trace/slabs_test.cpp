@@ -3,6 +3,7 @@
 // enough, but they miss no padded box.
 #include "sw_ref/trace/slabs.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,6 +11,7 @@
 
 #include "sw_ref/judge/adversary/generators.hpp"
 #include "sw_ref/judge/adversary/parts.hpp"
+#include "sw_ref/trace/child_slabs.hpp"
 #include "sw_ref/trace/plucker.hpp"
 #include "tests/sw_ref/judge/adversary/each_case.hpp"
 #include "tests/sw_ref/judge/rational.hpp"
@@ -36,13 +38,39 @@ Case subnormal_distance(Random& random) {
   return c;
 }
 
+using BoxesOfFour = std::array<std::array<float, 4>, 6>;
+
+/// The box in a lane, and others that nothing meets or everything might.
+BoxesOfFour among_others(const Aabb& box, std::size_t lane) {
+  BoxesOfFour planes{};
+  for (unsigned plane = 0; plane < 6; ++plane) planes[plane][lane] = box.plane(plane);
+  return planes;
+}
+
+/// A box has the same answer in each lane of the test of four children, and no lane misses a box that is met.
+void expect_children_as_one(const Case& c, bool met) {
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const BoxesOfFour planes = among_others(c.box, lane);
+    float distances[4];
+    float distance = 0;
+    const bool one = ConservativeSlabs(c.ray).enters(c.box, distance);
+    const ChildSlabs<FourLanes, 4, Widening::of_distances> same(c.ray);
+    EXPECT_EQ((same.enters(planes, distances) >> lane & 1U) != 0, one);
+    EXPECT_EQ(distances[lane], distance);
+    const ChildSlabs<FourLanes, 4, Widening::of_inverses> quick(c.ray);
+    EXPECT_TRUE((quick.enters(planes, distances) >> lane & 1U) != 0 || !met);
+  }
+}
+
 /// The tests miss no box that the ray meets: ConservativeSlabs the box itself, the others the box padded as
 /// in section 4.3. Counts boxes met, and how many of them Slabs<float> misses without padding.
 struct Judge {
   int met = 0, float_misses = 0;
 
   void operator()(const Case& c) {
-    if (!oracle::meets(c.ray, c.box)) return;
+    const bool meets = oracle::meets(c.ray, c.box);
+    expect_children_as_one(c, meets);
+    if (!meets) return;
     ++met;
     EXPECT_TRUE(ConservativeSlabs(c.ray)(c.box));
     constexpr float padding = 5e-7F;

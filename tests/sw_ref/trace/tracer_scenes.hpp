@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -131,6 +132,36 @@ inline Ray special_ray(Random& random, const Mesh& mesh, int kind) {
 inline std::vector<Ray> special_rays(Random& random, const Mesh& mesh, int count) {
   std::vector<Ray> rays;
   for (int i = 0; i < count; ++i) rays.push_back(special_ray(random, mesh, i));
+  return rays;
+}
+
+/// Components that are zero or subnormal, lengths 0 and infinite, origins in planes of the mesh.
+inline std::vector<Ray> stiff_rays(Random& random, const Mesh& mesh, int count) {
+  std::vector<Ray> rays;
+  const auto vertex = [&] {
+    return mesh.vertices[static_cast<std::size_t>(below(random, static_cast<int>(mesh.vertices.size())))];
+  };
+  for (int i = 0; i < count; ++i) {
+    Ray ray{any_point(random), {}, Ray::infinite};
+    const glm::vec3 target = vertex();
+    const int axis = below(random, 3);
+    if (i % 2 == 0) ray.origin[axis] = target[axis];
+    if (i % 8 == 3) ray.origin = target;
+    ray.direction = (i % 8 == 3 ? vertex() : target) - ray.origin;
+    if (i % 3 == 0) ray.direction[axis] = i % 2 == 0 ? 0.0F : -0.0F;
+    if (i % 3 == 1) ray.direction[axis] = std::ldexp(ray.direction[axis], -120 - below(random, 30));
+    if (i % 5 == 4) ray.direction *= std::ldexp(1.0F, i % 2 == 0 ? -125 : 125);
+    if (i % 15 == 1) ray.direction *= std::ldexp(1.0F, 126);
+    if (i % 7 == 6) ray.length = 0;
+    if (ray.direction == glm::vec3(0.0F)) ray.direction[axis] = std::numeric_limits<float>::denorm_min();
+    rays.push_back(ray);
+  }
+  return rays;
+}
+
+inline std::vector<Ray> hard_rays(Random& random, const Mesh& mesh, int count) {
+  std::vector<Ray> rays = special_rays(random, mesh, count);
+  for (const Ray& ray : stiff_rays(random, mesh, count)) rays.push_back(ray);
   return rays;
 }
 

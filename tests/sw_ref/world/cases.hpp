@@ -72,8 +72,6 @@ class Draw {
   /// Aimed at a corner, at a point of an edge or of the inside, or anywhere. Its direction is what the door
   /// makes of the way there.
   IntRay ray(const WorldBits& bits, const std::array<std::int64_t, 3>& from, const IntTriangle& triangle) {
-    IntRay made;
-    made.origin = from;
     constexpr std::array<std::array<std::int64_t, 3>, 5> weights{
         {{1, 0, 0}, {1, 1, 0}, {0, 1, 3}, {1, 1, 1}, {3, 2, 1}}};
     std::array<std::int64_t, 3> way{};
@@ -82,12 +80,21 @@ class Draw {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::int64_t sum = 0;
       for (std::size_t i = 0; i < 3; ++i) sum += w[i] * triangle.corners[i][axis];
-      way[axis] =
-          aimed ? (sum << bits.finer) - (w[0] + w[1] + w[2]) * made.origin[axis] : integer(-1000, 1000);
+      way[axis] = aimed ? (sum << bits.finer) - (w[0] + w[1] + w[2]) * from[axis] : integer(-1000, 1000);
     }
     if (one_in(5)) way[static_cast<std::size_t>(integer(0, 2))] = 0;
     if (one_in(5)) way[static_cast<std::size_t>(integer(0, 2))] >>= integer(0, 20);
     if (way == std::array<std::int64_t, 3>{}) way[static_cast<std::size_t>(integer(0, 2))] = 1;
+    IntRay made = along(bits, from, way);
+    made.length = one_in(3) ? integer(0, bits.largest_distance()) : bits.largest_distance();
+    return made;
+  }
+
+  /// What the door makes of this way, which is not 0: a ray without an end.
+  static IntRay along(const WorldBits& bits, const std::array<std::int64_t, 3>& from,
+                      const std::array<std::int64_t, 3>& way) {
+    IntRay made;
+    made.origin = from;
     for (std::size_t axis = 1; axis < 3; ++axis)
       if (std::abs(way[axis]) > std::abs(way[static_cast<std::size_t>(made.major)]))
         made.major = static_cast<int>(axis);
@@ -98,7 +105,7 @@ class Draw {
           (2 * (static_cast<Int128>(std::abs(way[axis])) << bits.slope) + longest) / (2 * longest));
       made.direction[axis] = way[axis] < 0 ? -size : size;
     }
-    made.length = one_in(3) ? integer(0, bits.largest_distance()) : bits.largest_distance();
+    made.length = bits.largest_distance();
     return made;
   }
 
@@ -109,12 +116,12 @@ class Draw {
     return c;
   }
 
- private:
   template <class Values>
   const typename Values::value_type& pick(const Values& values) {
     return values[static_cast<std::size_t>(integer(0, static_cast<std::int64_t>(values.size()) - 1))];
   }
 
+ private:
   std::mt19937_64 rng_;
 };
 

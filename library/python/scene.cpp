@@ -1,0 +1,256 @@
+// Scenes and what rays find in them.
+#include "hitpipe/scene.hpp"
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <shared_mutex>
+#include <string>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include "library/python/arrays.hpp"
+#include "library/python/module.hpp"
+#include "library/python/transform.hpp"
+
+namespace hitpipe::python {
+
+namespace {
+
+template <class T>
+py::array_t<T> row(std::size_t count) {
+  return py::array_t<T>(static_cast<py::ssize_t>(count));
+}
+
+/// What Scene.nearest() gives.
+struct NearestArrays {
+  py::array_t<std::uint32_t> triangle;
+  py::array_t<double> t;
+  py::object weights = py::none();
+};
+/// What Scene.count() gives.
+struct CountArrays {
+  py::array_t<std::uint32_t> crossings;
+  py::array_t<std::int32_t> sides;
+};
+/// What Scene.all() gives.
+struct CrossingArrays {
+  py::array_t<std::uint64_t> offsets;
+  py::array_t<std::uint32_t> triangle;
+  py::array_t<double> t;
+  py::array_t<std::int8_t> side;
+};
+
+/// Python's threads may share it: questions take a lock that many hold, and move() waits for all of them.
+class PythonScene {
+ public:
+  PythonScene(const py::object& corners, const py::object& triangles, const std::string& world,
+              const std::optional<py::dict>& transform, const py::object& nodes, const py::object& order,
+              int threads) {
+    const auto points = rows_of<float>(corners, "corners", 3);
+    const auto indices = rows_of<std::uint32_t>(triangles, "triangles", 3);
+    corner_count_ = points.count;
+    const hitpipe_mesh mesh{points.first, points.count, indices.first, indices.count};
+    hitpipe_scene_options options{world.c_str(), nullptr, nullptr, threads};
+    Transform own_transform{};
+    if (transform) {
+      own_transform = transform_of(*transform);
+      options.transform = &own_transform;
+    }
+    hitpipe_hierarchy hierarchy{};
+    std::optional<Items<hitpipe_node>> own_nodes;
+    std::optional<Items<std::uint32_t>> own_order;
+    if (!nodes.is_none()) {
+      own_nodes = nodes_of(nodes);
+      own_order = numbers_of(order, "order", indices.count);
+      hierarchy = {own_nodes->first, own_nodes->count, own_order->first};
+      options.hierarchy = &hierarchy;
+    }
+    hitpipe_scene* made = nullptr;
+    {
+      const py::gil_scoped_release others_run;
+      check(hitpipe_scene_open(&mesh, &options, &made));
+    }
+    scene_.reset(made);
+  }
+
+  [[nodiscard]] SceneInfo info() const {
+    SceneInfo info;
+    const py::gil_scoped_release others_run;
+    const std::shared_lock asking(moving_);
+    check(hitpipe_scene_describe(scene_.get(), &info));
+    return info;
+  }
+  void move(const py::object& corners, int threads) {
+    const auto points = rows_of<float>(corners, "corners", 3);
+    if (points.count != corner_count_)
+      throw Refusal("corners: " + std::to_string(points.count) + " of them; the scene has " +
+                    std::to_string(corner_count_));
+    const py::gil_scoped_release others_run;
+    const std::unique_lock alone(moving_);
+    if (points.count != 0) check(hitpipe_scene_move(scene_.get(), points.first, threads));
+  }
+
+  [[nodiscard]] NearestArrays nearest(const py::object& rays, bool weights, int threads) const {
+    const auto own = rays_of(rays);
+    NearestArrays all{row<std::uint32_t>(own.count), row<double>(own.count)};
+    hitpipe_nearest_out out{all.triangle.mutable_data(), all.t.mutable_data(), nullptr};
+    if (weights) {
+      py::array_t<double> three({static_cast<py::ssize_t>(own.count), py::ssize_t{3}});
+      out.weights = three.mutable_data();
+      all.weights = three;
+    }
+    const py::gil_scoped_release others_run;
+    const std::shared_lock asking(moving_);
+    check(hitpipe_nearest(scene_.get(), own.first, own.count, threads, &out));
+    return all;
+  }
+  [[nodiscard]] py::array_t<bool> any(const py::object& rays, int threads) const {
+    const auto own = rays_of(rays);
+    auto met = row<bool>(own.count);
+    auto* const out = reinterpret_cast<std::uint8_t*>(met.mutable_data());
+    const py::gil_scoped_release others_run;
+    const std::shared_lock asking(moving_);
+    check(hitpipe_any(scene_.get(), own.first, own.count, threads, out));
+    return met;
+  }
+  [[nodiscard]] CountArrays count(const py::object& rays, int threads) const {
+    const auto own = rays_of(rays);
+    CountArrays all{row<std::uint32_t>(own.count), row<std::int32_t>(own.count)};
+    auto* const crossings = all.crossings.mutable_data();
+    auto* const sides = all.sides.mutable_data();
+    const py::gil_scoped_release others_run;
+    const std::shared_lock asking(moving_);
+    check(hitpipe_count(scene_.get(), own.first, own.count, threads, crossings, sides));
+    return all;
+  }
+  [[nodiscard]] CrossingArrays all(const py::object& rays, int threads) const {
+    const auto own = rays_of(rays);
+    CrossingArrays found{row<std::uint64_t>(own.count + 1), {}, {}, {}};
+    auto* const offsets = found.offsets.mutable_data();
+    for (std::size_t capacity = 4 * own.count;; capacity = offsets[own.count]) {
+      found.triangle = row<std::uint32_t>(capacity);
+      found.t = row<double>(capacity);
+      found.side = row<std::int8_t>(capacity);
+      const hitpipe_all_out out{offsets, capacity, found.triangle.mutable_data(), found.t.mutable_data(),
+                                found.side.mutable_data()};
+      {
+        const py::gil_scoped_release others_run;
+        const std::shared_lock asking(moving_);
+        check(hitpipe_all(scene_.get(), own.first, own.count, threads, &out));
+      }
+      if (offsets[own.count] <= capacity) break;
+    }
+    const auto size = static_cast<py::ssize_t>(offsets[own.count]);
+    found.triangle.resize({size});
+    found.t.resize({size});
+    found.side.resize({size});
+    return found;
+  }
+  [[nodiscard]] py::array_t<bool> inside(const py::object& points, int threads) const {
+    const auto own = rows_of<float>(points, "points", 3);
+    auto in = row<bool>(own.count);
+    auto* const out = reinterpret_cast<std::uint8_t*>(in.mutable_data());
+    const py::gil_scoped_release others_run;
+    const std::shared_lock asking(moving_);
+    check(hitpipe_inside(scene_.get(), own.first, own.count, threads, out));
+    return in;
+  }
+
+  [[nodiscard]] py::array_t<hitpipe_integer_ray> integer_rays(const py::object& rays) const {
+    const auto own = rays_of(rays);
+    auto made = row<hitpipe_integer_ray>(own.count);
+    auto* const out = made.mutable_data();
+    const py::gil_scoped_release others_run;
+    const std::shared_lock asking(moving_);
+    check(hitpipe_integer_rays(scene_.get(), own.first, own.count, out));
+    return made;
+  }
+  [[nodiscard]] py::bytes core_image() const {
+    std::vector<std::uint8_t> bytes;
+    {
+      const py::gil_scoped_release others_run;
+      const std::shared_lock asking(moving_);
+      std::size_t size = 0;
+      check(hitpipe_core_image(scene_.get(), nullptr, 0, &size));
+      bytes.resize(size);
+      check(hitpipe_core_image(scene_.get(), bytes.data(), bytes.size(), &size));
+    }
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+
+ private:
+  struct Close {
+    void operator()(hitpipe_scene* scene) const { hitpipe_scene_close(scene); }
+  };
+
+  std::unique_ptr<hitpipe_scene, Close> scene_;
+  std::size_t corner_count_ = 0;
+  mutable std::shared_mutex moving_;
+};
+
+}  // namespace
+
+void add_scene(py::module_& m) {
+  PYBIND11_NUMPY_DTYPE(hitpipe_node, first, count);
+  PYBIND11_NUMPY_DTYPE(hitpipe_integer_ray, origin, direction, negative, major, length);
+  m.attr("nodes_dtype") = py::dtype::of<hitpipe_node>();
+  m.attr("integer_rays_dtype") = py::dtype::of<hitpipe_integer_ray>();
+  m.attr("no_triangle") = py::int_(HITPIPE_NO_TRIANGLE);
+  py::class_<NearestArrays>(m, "Nearest", "What Scene.nearest() gives.")
+      .def_readonly("triangle", &NearestArrays::triangle, "uint32, (N,): its number, or hitpipe.no_triangle.")
+      .def_readonly("t", &NearestArrays::t, "float64, (N,), in units of the ray's direction; inf: no hit.")
+      .def_readonly("weights", &NearestArrays::weights,
+                    "float64, (N, 3), of the triangle's corners; or None.");
+  py::class_<CountArrays>(m, "Counts", "What Scene.count() gives.")
+      .def_readonly("crossings", &CountArrays::crossings, "uint32, (N,).")
+      .def_readonly("sides", &CountArrays::sides, "int32, (N,): 1 for each way out, -1 for each way in.");
+  py::class_<CrossingArrays>(
+      m, "Crossings", "What Scene.all() gives: those of ray i are at offsets[i] to offsets[i + 1] - 1.")
+      .def_readonly("offsets", &CrossingArrays::offsets, "uint64, (N + 1,).")
+      .def_readonly("triangle", &CrossingArrays::triangle, "uint32, (offsets[N],).")
+      .def_readonly("t", &CrossingArrays::t, "float64, likewise; from near to far.")
+      .def_readonly("side", &CrossingArrays::side, "int8, likewise; 1: the way out, -1: the way in.");
+  py::class_<SceneInfo>(m, "SceneInfo", "What Scene.info tells.")
+      .def_property_readonly("world", [](const SceneInfo& info) { return std::string(info.world); })
+      .def_readonly("triangles", &SceneInfo::triangles)
+      .def_readonly("without_area", &SceneInfo::without_area, "Triangles that are never hit.")
+      .def_property_readonly("closed", [](const SceneInfo& info) { return info.closed != 0; })
+      .def_property_readonly("oriented", [](const SceneInfo& info) { return info.oriented != 0; })
+      .def_readonly("odd_edges", &SceneInfo::odd_edges, "Edges with an odd number of triangles.")
+      .def_property_readonly(
+          "transform", [](const SceneInfo& info) { return dict_of(info.transform); },
+          "A dict of offset and scale: from the mesh's units into the cube of an integer world.");
+  py::class_<PythonScene>(m, "Scene",
+                          "Triangles that rays are asked about, as <hitpipe/scene.h> says. Corners are (C, "
+                          "3) of float32, triangles\n"
+                          "(T, 3) of uint32. `world` is \"float\", or an integer world: \"20+1s20\". "
+                          "`transform` is a dict of offset and\n"
+                          "scale, for an integer world. `nodes` and `order` are a hierarchy of your own. "
+                          "Threads may share a scene.\n"
+                          "`threads` of a call: 0 is one for each core.")
+      .def(py::init<const py::object&, const py::object&, const std::string&, const std::optional<py::dict>&,
+                    const py::object&, const py::object&, int>(),
+           py::arg("corners"), py::arg("triangles"), py::arg("world") = "float", py::kw_only(),
+           py::arg("transform") = py::none(), py::arg("nodes") = py::none(), py::arg("order") = py::none(),
+           py::arg("threads") = 0)
+      .def_property_readonly("info", &PythonScene::info, "A hitpipe.SceneInfo.", py::keep_alive<0, 1>())
+      .def("move", &PythonScene::move, py::arg("corners"), py::kw_only(), py::arg("threads") = 0,
+           "New places for all corners; the triangles stay.")
+      .def("nearest", &PythonScene::nearest, py::arg("rays"), py::kw_only(), py::arg("weights") = true,
+           py::arg("threads") = 0, "The nearest hit of each ray: hitpipe.Nearest.")
+      .def("any", &PythonScene::any, py::arg("rays"), py::kw_only(), py::arg("threads") = 0,
+           "Whether each ray hits a triangle: bool, (N,).")
+      .def("count", &PythonScene::count, py::arg("rays"), py::kw_only(), py::arg("threads") = 0,
+           "How often each ray crosses the mesh, each surface once: hitpipe.Counts.")
+      .def("all", &PythonScene::all, py::arg("rays"), py::kw_only(), py::arg("threads") = 0,
+           "All crossings of each ray: hitpipe.Crossings.")
+      .def("inside", &PythonScene::inside, py::arg("points"), py::kw_only(), py::arg("threads") = 0,
+           "Whether each point, (P, 3) of float32, is inside the closed mesh: bool, (P,).")
+      .def("integer_rays", &PythonScene::integer_rays, py::arg("rays"),
+           "Rays as the traversal core's integer door takes them: hitpipe.integer_rays_dtype, (N,).")
+      .def("core_image", &PythonScene::core_image, "The bytes that the traversal core reads from memory.");
+}
+
+}  // namespace hitpipe::python

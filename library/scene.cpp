@@ -1,0 +1,276 @@
+// Scenes of the C interface: made, described, moved.
+#include "library/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/parallel.hpp"
+#include "library/choice.hpp"
+#include "library/cube.hpp"
+#include "library/failure.hpp"
+#include "rtl_gen/catalogue/format.hpp"
+#include "sw_ref/hierarchy/refit.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
+#include "sw_ref/quantise/to_cube.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
+
+namespace hitpipe::library {
+
+namespace {
+
+constexpr std::string_view float_world = "float";
+
+/// Over all triangles. Of an integer world it is the hierarchy of a core's image.
+ref::Bvh built(const hitpipe_scene& scene, const Placed& placed, int threads) {
+  if (placed.mesh.triangles.empty()) return {};
+  ref::BuildOptions options = ref::surface_area_build;
+  options.padding = 0.0F;
+  options.threads = threads;
+  ref::Mesh mesh;
+  mesh.triangles = placed.mesh.triangles;
+  if (scene.bits) {
+    mesh.vertices = placed.int_mesh->mesh.vertices;
+    return ref::build_bvh(mesh, options);
+  }
+  // Units are the caller's, and areas of small ones would underflow. A hierarchy depends on no power of two.
+  options.min_split = 0.0F;
+  float largest = 0;
+  for (const glm::vec3& vertex : placed.mesh.vertices)
+    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(vertex[axis]));
+  const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
+  for (const glm::vec3& vertex : placed.mesh.vertices)
+    mesh.vertices.emplace_back(std::ldexp(vertex.x, exponent), std::ldexp(vertex.y, exponent),
+                               std::ldexp(vertex.z, exponent));
+  return ref::build_bvh(mesh, options);
+}
+
+std::vector<glm::vec3> checked_corners(const float* corners, std::size_t count) {
+  if (count != 0) static_cast<void>(given(corners, "corners"));
+  std::vector<glm::vec3> own;
+  own.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    own.emplace_back(corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::abs(own.back()[axis]) <= most_coordinate))
+        throw Refusal(HITPIPE_BAD_MESH, fmt::format("corner {}: {} = {}; allowed is -2^24 to 2^24", i,
+                                                    "xyz"[axis], own.back()[axis]));
+  }
+  return own;
+}
+
+std::vector<glm::uvec3> checked_triangles(const hitpipe_mesh& mesh) {
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+  if (mesh.triangle_count > most)
+    throw Refusal(HITPIPE_BAD_MESH,
+                  fmt::format("{} triangles; allowed are up to {}", mesh.triangle_count, most));
+  if (mesh.triangle_count != 0) static_cast<void>(given(mesh.triangles, "triangles"));
+  std::vector<glm::uvec3> own;
+  own.reserve(mesh.triangle_count);
+  for (std::size_t i = 0; i < mesh.triangle_count; ++i) {
+    const std::uint32_t* const corner = mesh.triangles + 3 * i;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (corner[k] >= mesh.corner_count)
+        throw Refusal(HITPIPE_BAD_MESH,
+                      fmt::format("triangle {}: corner {} of {}", i, corner[k], mesh.corner_count));
+    own.emplace_back(corner[0], corner[1], corner[2]);
+  }
+  return own;
+}
+
+std::optional<hls::WorldBits> chosen_world(const char* world) {
+  if (world == nullptr || world == float_world) return std::nullopt;
+  return or_refuse(HITPIPE_BAD_FORMAT, [&] { return rtl::parse_bits<hls::WorldBits>(world); });
+}
+
+/// Of the corners that triangles use.
+ref::Normalisation fitted(const ref::Mesh& mesh) {
+  if (mesh.triangles.empty()) return {};
+  const ref::Bounds bounds = ref::mesh_bounds(mesh);
+  if (!(bounds.longest() > 0))
+    throw Refusal(HITPIPE_BAD_MESH,
+                  "all corners are in one place; an integer world needs a mesh with some extent");
+  return ref::fit_to_cube(bounds, {});
+}
+
+/// Each corner is rounded to binary32, as hitpipe_to_cube_ray() does with an origin.
+void move_into_cube(ref::Mesh& mesh, const ref::Normalisation& transform) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    glm::vec3& vertex = mesh.vertices[i];
+    vertex = glm::vec3(transform.to_cube(glm::dvec3(vertex)));
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::abs(vertex[axis]) <= 1.0F))
+        throw Refusal(HITPIPE_BAD_MESH,
+                      fmt::format("corner {}: {} is {} in the cube of the integer world; allowed is "
+                                  "[-1, 1]",
+                                  i, "xyz"[axis], vertex[axis]));
+  }
+}
+
+/// The mesh is in the scene's world, and has no queries yet.
+std::unique_ptr<Placed> on_its_grid(const hitpipe_scene& scene, ref::Mesh mesh) {
+  auto made = std::make_unique<Placed>();
+  made->mesh = std::move(mesh);
+  if (!scene.bits) {
+    made->numbers.resize(made->mesh.triangles.size());
+    std::iota(made->numbers.begin(), made->numbers.end(), 0U);
+    return made;
+  }
+  made->int_mesh = ref::int_mesh(made->mesh, scene.bits->coord);
+  const ref::TriangleNumbers numbers(made->int_mesh->mesh);
+  for (std::uint32_t i = 0; i < made->int_mesh->triangles.size(); ++i)
+    made->numbers.push_back(numbers.of_source(i));
+  return made;
+}
+
+void add_queries(const hitpipe_scene& scene, Placed& placed) {
+  if (placed.numbers.empty()) return;
+  placed.bvh =
+      ref::refitted(scene.tree, placed.int_mesh ? placed.int_mesh->mesh : placed.mesh, placed.numbers);
+  placed.queries = placed.int_mesh ? ref::int_queries(*placed.int_mesh, &*placed.bvh, *scene.bits)
+                                   : ref::float_queries(placed.mesh, *placed.bvh);
+}
+
+/// Of a ray that takes_ray() refuses.
+std::string why_refused(const hitpipe_scene& scene, const hitpipe_ray& ray) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const char name = "xyz"[axis];
+    if (!(std::abs(ray.origin[axis]) <= most_coordinate))
+      return fmt::format("origin.{} = {}; allowed is -2^24 to 2^24", name, ray.origin[axis]);
+    if (!std::isfinite(ray.direction[axis]))
+      return fmt::format("direction.{} = {}; components must be finite", name, ray.direction[axis]);
+  }
+  if (ray.direction[0] == 0 && ray.direction[1] == 0 && ray.direction[2] == 0)
+    return "direction is (0, 0, 0); one component must differ from 0";
+  if (!(ray.length >= 0.0F)) return fmt::format("length = {}; it must be >= 0 or infinite", ray.length);
+  const glm::vec3 origin = in_world(scene, ray).origin;
+  return fmt::format("its origin is ({}, {}, {}) in the cube of the integer world; allowed is [-1, 1]",
+                     origin.x, origin.y, origin.z);
+}
+
+std::size_t without_area(const Placed& scene) {
+  if (scene.int_mesh) return scene.int_mesh->mesh.dropped.size();
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i)
+    if (!ref::has_area(scene.mesh.corners(i))) ++count;
+  return count;
+}
+
+}  // namespace
+
+ref::Ray in_world(const hitpipe_scene& scene, const hitpipe_ray& ray) {
+  const glm::vec3 origin(ray.origin[0], ray.origin[1], ray.origin[2]);
+  const glm::vec3 direction(ray.direction[0], ray.direction[1], ray.direction[2]);
+  if (!scene.bits) return {origin, direction, ray.length};
+  return ref::ray_to_cube(glm::dvec3(origin), glm::dvec3(direction), ray.length, scene.transform);
+}
+
+bool takes_ray(const hitpipe_scene& scene, const hitpipe_ray& ray) {
+  bool good = ray.length >= 0.0F;
+  bool moves = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    good = good && std::abs(ray.origin[axis]) <= most_coordinate && std::isfinite(ray.direction[axis]);
+    moves = moves || ray.direction[axis] != 0.0F;
+  }
+  if (!good || !moves || !scene.bits) return good && moves;
+  const glm::vec3 origin = in_world(scene, ray).origin;
+  return std::abs(origin.x) <= 1.0F && std::abs(origin.y) <= 1.0F && std::abs(origin.z) <= 1.0F;
+}
+
+int checked_threads(int threads) {
+  if (threads < 0 || threads > host::most_threads)
+    throw Refusal(HITPIPE_BAD_ARGUMENT, fmt::format("{} threads; allowed are 1 to {}, or 0 for one a core",
+                                                    threads, host::most_threads));
+  return threads;
+}
+
+ref::Ray ray_of_scene(const hitpipe_scene& scene, const hitpipe_ray& ray, std::size_t i) {
+  if (!takes_ray(scene, ray))
+    throw Refusal(HITPIPE_BAD_RAY, fmt::format("ray {}: {}", i, why_refused(scene, ray)));
+  return in_world(scene, ray);
+}
+
+}  // namespace hitpipe::library
+
+const hitpipe::ref::Closedness& hitpipe_scene::closedness() const {
+  const std::scoped_lock lock(finding);
+  if (!found_closedness)
+    found_closedness = placed->int_mesh ? hitpipe::ref::closedness(*placed->int_mesh)
+                                        : hitpipe::ref::closedness(placed->mesh);
+  return *found_closedness;
+}
+
+using namespace hitpipe::library;  // NOLINT(google-build-using-namespace): what follows is this namespace's,
+                                   // in C
+
+hitpipe_status hitpipe_scene_open(const hitpipe_mesh* mesh, const hitpipe_scene_options* options,
+                                  hitpipe_scene** out) {
+  return guarded([&] {
+    static_cast<void>(given(out, "out"));
+    const hitpipe_scene_options chosen = options == nullptr ? hitpipe_scene_options{} : *options;
+    auto scene = std::make_unique<hitpipe_scene>();
+    scene->bits = chosen_world(chosen.world);
+    scene->world = scene->bits ? hitpipe::rtl::to_string(hitpipe::rtl::Format(*scene->bits)) : float_world;
+    if (!scene->bits && chosen.transform != nullptr)
+      throw Refusal(HITPIPE_BAD_ARGUMENT,
+                    "transform: the float world has none; rays and corners are in your units");
+    hitpipe::ref::Mesh own;
+    own.triangles = checked_triangles(given(mesh, "mesh"));
+    own.vertices = checked_corners(mesh->corners, mesh->corner_count);
+    const int threads = checked_threads(chosen.threads);
+    if (scene->bits) {
+      scene->transform = chosen.transform == nullptr ? fitted(own) : checked_transform(chosen.transform);
+      move_into_cube(own, scene->transform);
+    }
+    hitpipe::host::with_threads(threads, [&] {
+      auto placed = on_its_grid(*scene, std::move(own));
+      scene->tree = chosen.hierarchy != nullptr
+                        ? checked_tree(*chosen.hierarchy, placed->mesh.triangles.size())
+                        : built(*scene, *placed, threads);
+      add_queries(*scene, *placed);
+      scene->placed = std::move(placed);
+    });
+    *out = scene.release();
+  });
+}
+
+void hitpipe_scene_close(hitpipe_scene* scene) {
+  delete scene;
+}
+
+hitpipe_status hitpipe_scene_describe(const hitpipe_scene* scene, hitpipe_scene_info* out) {
+  return guarded([&] {
+    const Placed& placed = *given(scene, "scene").placed;
+    const hitpipe::ref::Closedness& closedness = scene->closedness();
+    const hitpipe::ref::Normalisation& moved = scene->transform;
+    given(out, "out") = {.world = scene->world.c_str(),
+                         .triangles = placed.mesh.triangles.size(),
+                         .without_area = without_area(placed),
+                         .closed = closedness.even() ? 1 : 0,
+                         .oriented = closedness.balanced() ? 1 : 0,
+                         .odd_edges = closedness.odd,
+                         .transform = {{moved.offset.x, moved.offset.y, moved.offset.z}, moved.scale}};
+  });
+}
+
+hitpipe_status hitpipe_scene_move(hitpipe_scene* scene, const float* corners, int threads) {
+  return guarded([&] {
+    hitpipe::ref::Mesh own;
+    own.vertices =
+        checked_corners(&given(corners, "corners"), given(scene, "scene").placed->mesh.vertices.size());
+    own.triangles = scene->placed->mesh.triangles;
+    if (scene->bits) move_into_cube(own, scene->transform);
+    hitpipe::host::with_threads(checked_threads(threads), [&] {
+      auto placed = on_its_grid(*scene, std::move(own));
+      add_queries(*scene, *placed);
+      scene->placed = std::move(placed);
+    });
+    scene->found_closedness.reset();
+  });
+}

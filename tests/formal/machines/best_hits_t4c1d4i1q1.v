@@ -1,0 +1,2 @@
+  // Rays may want crossings.
+`define QUESTIONS

@@ -1,0 +1,2 @@
+  // A ray may want its last triangle again.
+`define QUESTIONS

@@ -1,0 +1,4 @@
+  wire gates = 1'b1, answers_left = lets_answers, more_wrong = 1'b0, more_busy = 1'b0;
+  function [31:0] more_at(input [5:0] place);
+    more_at = 32'd0;
+  endfunction

@@ -1,0 +1,2 @@
+  // It may settle ties.
+`define QUESTIONS
