@@ -28,6 +28,7 @@
   COMMAND("Take it", image)                \
   COMMAND("Judge it", trace)               \
   COMMAND("Choose it", area)               \
+  COMMAND("Choose it", fit)                \
   COMMAND("Put it onto a chip", implement) \
   COMMAND("Put it onto a chip", board)
 

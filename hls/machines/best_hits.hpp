@@ -11,19 +11,21 @@
 
 namespace hitpipe::hls {
 
-/// The format "tTcCdDiI", for example t20c1d20i5, or "tTcCdDiIqQ".
+/// The format "tTcCdDiI", for example t20c1d20i5, or "tTcCdDiIqQuU".
 struct BestBits {
   int distance = 20;  ///< T: bits of a distance
   int dropped = 1;    ///< C: low bits of it that a box distance has not
   int box = 20;       ///< D: bits of a box distance, at least T - C
   int ray = 5;        ///< I: bits of a ray's number
   int questions = 0;  ///< Q: rays may want crossings
+  int number = 0;     ///< U: bits of a triangle's number, if not those of an image
 
   static constexpr FormatField fields[] = {{"t", "T", 4, 36},
                                            {"c", "C", 0, 11},
                                            {"d", "D", 4, 36, "36"},
                                            {"i", "I", 1, 8},
-                                           {"q", "Q", 1, 1, nullptr, true}};
+                                           {"q", "Q", 1, 1, nullptr, true},
+                                           {"u", "U", 4, 31, nullptr, true}};
   static constexpr const char* condition = "D at least T-C, and C less than T";
 
   constexpr int rays() const { return power_of_two(ray); }
@@ -46,8 +48,8 @@ struct End : List<walk_ray, failed> {};
 
 // By ray. The best hits are there three times, since three read them.
 struct Best : List<best, best_number> {};
-constexpr Block<"numbers", &BestBits::rays, triangle_number_bits> numbers;  // of the triangle that is tested
-constexpr Block<"kinds", &BestBits::rays, 1> kinds;                         // 1: any hit
+constexpr Block<"numbers", &BestBits::rays, number_bits> numbers;  // of the triangle that is tested
+constexpr Block<"kinds", &BestBits::rays, 1> kinds;                // 1: any hit
 constexpr BlockOf<"divided_bests", &BestBits::rays, Best> divided_bests;
 constexpr BlockOf<"leaf_bests", &BestBits::rays, Best> leaf_bests;
 constexpr BlockOf<"answer_bests", &BestBits::rays, Best> answer_bests;

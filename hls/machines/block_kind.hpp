@@ -8,7 +8,7 @@ namespace hitpipe {
 namespace hls {
 
 /// Of the layout of an image, in its header.
-constexpr int image_version = 1;
+constexpr int image_version = 2;
 
 /// The upper three bits of the byte. A block of zeros is of no kind.
 enum BlockKind : std::uint8_t { record_block = 0x40, triangle_block = 0x60 };

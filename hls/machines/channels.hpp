@@ -29,6 +29,19 @@ inline constexpr auto box_bits = [](const auto& format) {
     return format.box;
 };
 inline constexpr auto address_bits = [](const auto& format) { return format.address; };
+// A core that is fitted to scenes may have fewer bits than an image for these.
+/// Of the number of triangles in a leaf; all ones is a record.
+inline constexpr auto leaf_bits = [](const auto& format) {
+  return format.leaf == 0 ? child_count_bits : format.leaf;
+};
+/// Of a triangle's number; all ones is no triangle.
+inline constexpr auto number_bits = [](const auto& format) {
+  return format.number == 0 ? triangle_number_bits : format.number;
+};
+/// Of the number of records that a walk may test.
+inline constexpr auto step_bits = [](const auto& format) {
+  return format.steps == 0 ? step_count_bits : format.steps;
+};
 
 /// The core answers the questions count and next too (docs/integer_world.md, Exactly once).
 inline constexpr auto has_questions = [](const auto& format) {
@@ -88,7 +101,7 @@ constexpr DataIf<"counts", 1, has_questions> counts;  // it wants the number of 
 constexpr DataIf<"turned", 1, has_questions> turned;  // det of a test has the sign of a crossing's side
 // A hit of the next crossing is not before this place. The T of one that is counted is not above it.
 constexpr DataIf<"from_t", distance_bits, has_questions> from_t;
-constexpr DataIf<"from_number", triangle_number_bits, has_questions> from_number;
+constexpr DataIf<"from_number", number_bits, has_questions> from_number;
 constexpr Data<"takes"> takes;
 struct NewRay : List<new_ray, begun, length, any_hit, counts, turned, from_t, from_number> {
   using Back = List<takes>;
@@ -106,8 +119,8 @@ struct Starts : List<starts, start_ray, start_cut> {
 // From the walker to reader and pair_feed: a ray wants a record, or the triangles of a leaf.
 constexpr Data<"goes"> goes;
 constexpr Data<"walk_ray", ray_bits> walk_ray;
-constexpr Data<"wanted", address_bits> wanted;            // the block
-constexpr Data<"triangles", child_count_bits> triangles;  // all ones: it is a record
+constexpr Data<"wanted", address_bits> wanted;     // the block
+constexpr Data<"triangles", leaf_bits> triangles;  // all ones: it is a record
 struct Goes : List<goes, walk_ray, wanted, triangles> {};
 constexpr Data<"enters_at", box_bits> enters_at;  // where the ray is within it
 constexpr Data<"leaves_at", box_bits> leaves_at;
@@ -216,8 +229,8 @@ struct Begins : List<begins, test_ray> {
   using Back = List<unit_takes>;
 };
 constexpr Data<"block", address_bits> block;  // of child 0; child 1 follows
-constexpr Data<"count_0", child_count_bits> count_0;
-constexpr Data<"count_1", child_count_bits> count_1;
+constexpr Data<"count_0", leaf_bits> count_0;
+constexpr Data<"count_1", leaf_bits> count_1;
 constexpr Data<"flaw", lost_bits> flaw;  // a Lost: the ray is lost by this record
 struct Children : List<block, count_0, count_1, flaw> {};
 
@@ -268,7 +281,7 @@ struct Halves {
 // From triangle_feed to best_hits and to the reader: a triangle has been read for a ray.
 constexpr Data<"reads"> reads;
 constexpr Data<"read_ray", ray_bits> read_ray;
-constexpr Data<"number", triangle_number_bits> number;
+constexpr Data<"number", number_bits> number;
 constexpr Data<"unread"> unread;  // it was none, so its test means nothing
 struct TriangleRead : List<reads, read_ray, number> {};
 struct TriangleFlaw : List<reads, read_ray, unread> {};
@@ -280,9 +293,9 @@ constexpr Data<"asked", ray_bits> asked;
 constexpr Data<"done"> done;  // 1: `asked`, `t` and `closer` are an answer
 constexpr Data<"t", distance_bits> t;
 constexpr Data<"closer"> closer;  // (T, number) is less than (best, best_number)
-constexpr Data<"asked_number", triangle_number_bits> asked_number;
+constexpr Data<"asked_number", number_bits> asked_number;
 constexpr Data<"best", distance_bits> best;
-constexpr Data<"best_number", triangle_number_bits> best_number;
+constexpr Data<"best_number", number_bits> best_number;
 struct Divides : List<asked, done, t, closer> {
   using Back = List<asked_number, best, best_number>;
 };
@@ -291,7 +304,7 @@ struct Divides : List<asked, done, t, closer> {
 constexpr DataIf<"hit_back", 1, has_questions> hit_back;
 constexpr DataIf<"asked_counts", 1, has_questions> asked_counts;
 constexpr DataIf<"asked_from_t", distance_bits, has_questions> asked_from_t;
-constexpr DataIf<"asked_from_number", triangle_number_bits, has_questions> asked_from_number;
+constexpr DataIf<"asked_from_number", number_bits, has_questions> asked_from_number;
 struct Compares : List<hit_back> {
   using Back = List<asked_counts, asked_from_t, asked_from_number>;
 };
@@ -321,7 +334,7 @@ struct Returns : List<returns, return_ray, return_cut, return_stops, return_lost
 constexpr Data<"answers"> answers;
 constexpr Data<"answered", ray_bits> answered;
 constexpr Data<"answer_t", distance_bits> answer_t;
-constexpr Data<"answer_number", triangle_number_bits> answer_number;  // all ones: no hit
+constexpr Data<"answer_number", number_bits> answer_number;  // all ones: no hit
 constexpr Data<"answer_failed", failure_bits> answer_failed;
 struct Answers : List<answers, answered, answer_t, answer_number, answer_failed> {};
 

@@ -8,14 +8,15 @@
 
 namespace hitpipe::hls {
 
-/// The format "tTiI", for example t20i5, or "tTiIqQ".
+/// The format "tTiI", for example t20i5, or "tTiIqQuU".
 struct DoorBits {
   int distance = 20;  ///< T: bits of a distance
   int ray = 5;        ///< I: bits of a ray's number
   int questions = 0;  ///< Q: rays may want crossings
+  int number = 0;     ///< U: bits of a triangle's number, if not those of an image
 
   static constexpr FormatField fields[] = {
-      {"t", "T", 4, 36}, {"i", "I", 1, 8}, {"q", "Q", 1, 1, nullptr, true}};
+      {"t", "T", 4, 36}, {"i", "I", 1, 8}, {"q", "Q", 1, 1, nullptr, true}, {"u", "U", 4, 31, nullptr, true}};
 
   constexpr int rays() const { return power_of_two(ray); }
   friend constexpr bool operator==(const DoorBits&, const DoorBits&) = default;
@@ -70,7 +71,7 @@ struct Door {
     next.where(accepts)[held<begun>] = now[next_number];
     next.where(accepts)[held<length>] = only(Bit(~in[ray_error]), in[ray_length]);
     if (has_questions(DoorBits(f)))
-      take_question<D>(accepts, in, next);
+      take_question<D>(f, accepts, in, next);
     else
       next.where(accepts)[held<any_hit>] = in[ray_any];
     next[begins_1] = accepts | (now[begins_1] & ~in[takes]);
@@ -90,7 +91,7 @@ struct Door {
  private:
   /// A ray that wants the next crossing has a place from which it looks. One that counts has its end there.
   template <class D>
-  static constexpr void take_question(const auto& accepts, const auto& in, const auto& next) {
+  static constexpr void take_question(const auto& f, const auto& accepts, const auto& in, const auto& next) {
     using Bit = typename D::bit;
     const Bit counting = as("counting", in[ray_once] & in[ray_any]);
     next.where(accepts)[held<any_hit>] = in[ray_any] & ~in[ray_once];
@@ -98,7 +99,8 @@ struct Door {
     next.where(accepts)[held<turned>] = in[back_m] ^ in[major_y] ^ in[major_z];
     next.where(accepts)[held<from_t>] =
         only(in[ray_once], select(in[ray_any], in[ray_length], in[ray_from_t]));
-    next.where(accepts)[held<from_number>] = only(in[ray_once], in[ray_from_number]);
+    next.where(accepts)[held<from_number>] =
+        only(in[ray_once], at_most<D>(in[ray_from_number], from_number.width(f)));
   }
   static constexpr auto is_ready(const auto& now) { return as("takes_ray", now[has] & ~now[begins_1]); }
 };

@@ -11,7 +11,7 @@
 
 namespace hitpipe::hls {
 
-/// The format "n+g/pfFaAiI", for example 20+1/11a24i5. The numbers before A are those of
+/// The format "n+g/pfFaAiIeE", for example 20+1/11a24i5. The numbers before A are those of
 /// hls/box/major_format.hpp.
 struct PairFeedBits {
   int coord = 20;     ///< n
@@ -20,6 +20,7 @@ struct PairFeedBits {
   int fraction = 0;   ///< F
   int address = 24;   ///< A: bits of a block's number
   int ray = 5;        ///< I: bits of a ray's number
+  int leaf = 0;       ///< E: bits of the number of triangles in a leaf, if not those of an image
 
   static constexpr FormatField fields[] = {
       {"", "n", WorldBits::min_coord, WorldBits::max_coord},
@@ -27,7 +28,8 @@ struct PairFeedBits {
       {"/", "p", MajorBits::min_mantissa, MajorBits::max_mantissa},
       {"f", "F", MajorBits::min_fraction, MajorBits::max_fraction, nullptr, true},
       {"a", "A", 4, 32},
-      {"i", "I", 1, 8}};
+      {"i", "I", 1, 8},
+      {"e", "E", 2, 7, nullptr, true}};
   static constexpr const char* condition = "a format of int_major_pair";
 
   /// Of the unit. No port of it depends on the bits of a slope.
@@ -38,7 +40,7 @@ struct PairFeedBits {
   constexpr int rays() const { return power_of_two(ray); }
   constexpr bool valid() const { return boxes().valid(); }
   friend constexpr bool operator==(const PairFeedBits& a, const PairFeedBits& b) {
-    return a.boxes() == b.boxes() && a.address == b.address && a.ray == b.ray;
+    return a.boxes() == b.boxes() && a.address == b.address && a.ray == b.ray && a.leaf == b.leaf;
   }
 };
 
@@ -164,9 +166,16 @@ struct PairFeed {
     const auto too_large = either(
         block.width(f) < 32_w, pointer, [&](const auto& p) { return any<D>(slice(p, 31_w, block.width(f))); },
         [&](const auto&) { return D::lit(0, 1_w); });
-    next[held<flaw>] = cat(Bit(no_record | too_large), no_record);
-    next[held<count_0>] = piece<192, child_count_bits>(in);
-    next[held<count_1>] = piece<200, child_count_bits>(in);
+    const auto counts_0 = piece<192, child_count_bits>(in), counts_1 = piece<200, child_count_bits>(in);
+    const auto kept = count_0.width(f);
+    const Bit lost =
+        change_if(kept < Width<child_count_bits>(), Bit(no_record | too_large), [&](const auto& so_far) {
+          const auto is_no_leaf = [&](const auto& count) { return exceeds<D>(count, kept) & any<D>(~count); };
+          return Bit(so_far | is_no_leaf(counts_0) | is_no_leaf(counts_1));
+        });
+    next[held<flaw>] = cat(lost, no_record);
+    next[held<count_0>] = resize(counts_0, kept);
+    next[held<count_1>] = resize(counts_1, kept);
   }
 };
 

@@ -13,18 +13,20 @@
 
 namespace hitpipe::hls {
 
-/// The format "aAiI", for example a24i5, or "aAiIqQ".
+/// The format "aAiI", for example a24i5, or "aAiIqQeE".
 struct ReaderBits {
   int address = 24;   ///< A: bits of a block's number
   int ray = 5;        ///< I: bits of a ray's number
   int questions = 0;  ///< Q: rays may test a triangle again
+  int leaf = 0;       ///< E: bits of the number of triangles in a leaf, if not those of an image
 
   static constexpr FormatField fields[] = {
-      {"a", "A", 4, 32}, {"i", "I", 1, 8}, {"q", "Q", 1, 1, nullptr, true}};
+      {"a", "A", 4, 32}, {"i", "I", 1, 8}, {"q", "Q", 1, 1, nullptr, true}, {"e", "E", 2, 7, nullptr, true}};
 
   constexpr int rays() const { return power_of_two(ray); }
   /// Of a word in `leaves`: outside, triangles to come, the block of the next.
-  constexpr int leaf() const { return 1 + child_count_bits + address; }
+  constexpr int leaf_word() const { return 1 + count() + address; }
+  constexpr int count() const { return leaf == 0 ? child_count_bits : leaf; }
   friend constexpr bool operator==(const ReaderBits&, const ReaderBits&) = default;
 };
 
@@ -42,7 +44,7 @@ constexpr Data<"ray_1", ray_bits> ray_1;
 constexpr DataIf<"again_1", 1, has_questions> again_1;  // it wants the same triangle again
 constexpr Control<"writes"> writes;                     // what the leaf's word becomes, to be written
 constexpr Data<"writer", ray_bits> writer;
-constexpr Data<"leaf", &ReaderBits::leaf> leaf;
+constexpr Data<"leaf", &ReaderBits::leaf_word> leaf;
 
 constexpr Data<"outside"> outside;          // the block is not in the image
 constexpr Data<"go_triangle"> go_triangle;  // it is a triangle
@@ -95,7 +97,7 @@ struct Reader {
     const bool has_again = has_questions(ReaderBits(f));
 
     // Into the queues. A block is outside where its number is larger than the last one's.
-    const Bit record = as("record", is<D>(in[triangles], (1 << child_count_bits) - 1));
+    const Bit record = as("record", is<D>(in[triangles], power_of_two(leaf_bits(ReaderBits(f))) - 1));
     memory[go_words].write(in[goes], as("go_place", GoQueue::place(now)), in[walk_ray],
                            Bit(in[last] < in[wanted]), Bit(~record), in[wanted]);
     const Bit misses = as("misses", in[tested] & ~in[hit]);

@@ -15,6 +15,7 @@
 
 #include "hls/machines/machine.hpp"
 #include "hls/num/bits.hpp"
+#include "hls/num/levels.hpp"
 
 namespace hitpipe::hls {
 
@@ -295,6 +296,29 @@ constexpr auto minus(const X& x, const Y& y) {
 template <class D, class X>
 constexpr typename D::bit is(const X& x, std::int64_t number) {
   return typename D::bit(x == D::lit(number, width_of(x)));
+}
+/// x in `bits` bits. What is too large becomes their largest number.
+template <class D>
+constexpr auto at_most(const auto& x, const auto& bits) {
+  return either(
+      bits < width_of(x), x,
+      [&](const auto& wide) {
+        const typename D::bit above = any<D>(slice(wide, width_of(wide) - 1_w, bits));
+        return as_unsigned(slice(wide, bits - 1_w, 0_w) | spread(above, bits));
+      },
+      [](const auto& whole) { return as_unsigned(whole); });
+}
+/// `bits` bits do not hold x, or hold it as all ones. There are fewer of them than x has.
+template <class D>
+constexpr typename D::bit exceeds(const auto& x, const auto& bits) {
+  using Bit = typename D::bit;
+  return either(
+      bits < width_of(x), x,
+      [&](const auto& wide) {
+        const Bit above = any<D>(slice(wide, width_of(wide) - 1_w, bits));
+        return Bit(above | ~any<D>(~slice(wide, bits - 1_w, 0_w)));
+      },
+      [](const auto&) { return Bit(D::lit(0, 1_w)); });
 }
 namespace detail {
 template <std::size_t First, std::size_t Count, class Parts>

@@ -9,13 +9,15 @@
 
 namespace hitpipe::hls {
 
-/// The format "tTgGiI", for example t20g16i5.
+/// The format "tTgGiI", for example t20g16i5, or "tTgGiIuU".
 struct ReplyBits {
   int distance = 20;  ///< T: bits of a distance
   int tag = 16;       ///< G: bits of a tag
   int ray = 5;        ///< I: bits of a ray's number
+  int number = 0;     ///< U: bits of a triangle's number, if not those of an image
 
-  static constexpr FormatField fields[] = {{"t", "T", 4, 36}, {"g", "G", 1, 64}, {"i", "I", 1, 8}};
+  static constexpr FormatField fields[] = {
+      {"t", "T", 4, 36}, {"g", "G", 1, 64}, {"i", "I", 1, 8}, {"u", "U", 4, 31, nullptr, true}};
 
   constexpr int rays() const { return power_of_two(ray); }
   friend constexpr bool operator==(const ReplyBits&, const ReplyBits&) = default;
@@ -28,7 +30,7 @@ using namespace channels;
 using Queue = IdQueue<>;
 constexpr Control<"there_1"> there_1;  // an answer that leaves
 constexpr Data<"ray_1", ray_bits> ray_1;
-struct Leaving : List<Hits::failed, Hits::t, Hits::number> {};
+struct Leaving : List<Hits::failed, Hits::t, answer_number> {};
 constexpr Control<"freed_2"> freed_2;
 constexpr Data<"freed_ray_2", ray_bits> freed_ray_2;
 
@@ -53,7 +55,14 @@ struct Replies {
     out[Hits::valid] = now[there_1];
     out[Hits::tag] = tag[ray_tag];
     out[Hits::t] = now[held<Hits::t>];
-    out[Hits::number] = now[held<Hits::number>];
+    const auto kept = now[held<answer_number>];
+    out[Hits::number] = either(
+        width_of(kept) < Width<triangle_number_bits>(), kept,
+        [](const auto& few) {
+          const typename D::bit none = ~any<D>(~few);
+          return cat(spread(none, Width<triangle_number_bits>() - width_of(few)), few);
+        },
+        [](const auto& all) { return all; });
     out[Hits::failed] = select(typename D::bit(tag[ray_error]), D::lit(no_ray, Width<failure_bits>()),
                                now[held<Hits::failed>]);
     out[Freed::is] = now[freed_2];
@@ -78,7 +87,7 @@ struct Replies {
     next[ray_1] = ray;
     next[held<Hits::failed>] = select(holds, now[held<Hits::failed>], oldest[answer_failed]);
     next[held<Hits::t>] = select(holds, now[held<Hits::t>], oldest[answer_t]);
-    next[held<Hits::number>] = select(holds, now[held<Hits::number>], oldest[answer_number]);
+    next[held<answer_number>] = select(holds, now[held<answer_number>], oldest[answer_number]);
     next[there_1] = holds | moves;
     memory[tags].ask(ray);
     memory[waiting].ask(Queue::step<D>(now, next, in[answers], moves));

@@ -18,7 +18,7 @@ using Queue = IdQueue<>;
 constexpr Control<"ready"> ready;      // the words of the oldest triangle's ray are there
 constexpr Control<"reads_1"> reads_1;  // a triangle has come in the last cycle
 constexpr Data<"reader_1", ray_bits> reader_1;
-constexpr Data<"number_1", triangle_number_bits> number_1;
+constexpr Data<"number_1", number_bits> number_1;
 constexpr Data<"unread_1"> unread_1;
 struct State : Join<Queue::State, List<ready, reads_1, reader_1, number_1, unread_1>> {};
 
@@ -89,9 +89,13 @@ constexpr void step(const auto& f, const auto& now, const auto& in, const auto& 
   memory[corners_2].ask(oldest);
   next[reads_1] = enters;
   next[reader_1] = reader_of(in);
-  next[number_1] = piece<216, 32>(in);
+  const auto number = piece<216, triangle_number_bits>(in);
+  const auto kept = number_1.width(f);
+  next[number_1] = resize(number, kept);
   const CoreBits bits = f;
-  next[unread_1] = is_unread<D>(in, triangle_block, bits.coord);
+  const Bit none = is_unread<D>(in, triangle_block, bits.coord);
+  next[unread_1] = change_if(kept < Width<triangle_number_bits>(), none,
+                             [&](const auto& unread) { return Bit(unread | exceeds<D>(number, kept)); });
 }
 
 }  // namespace hitpipe::hls::triangle_queue

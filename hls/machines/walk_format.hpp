@@ -1,9 +1,11 @@
-// The format of the walker: "dDaAlLkKiI", for example d20a24l60k3i5.
+// The format of the walker: "dDaAlLkKiI", for example d20a24l60k3i5, or "dDaAlLkKiIeEsS".
 //   D  bits of a box distance, the length of int_major_pair's format
 //   A  bits of a block's number in memory
 //   L  levels of records that a path may have: bits of the trail
 //   K  a ray's stack has 2^K places
 //   I  bits of a ray's number: 2^I rays are in flight
+//   E  bits of the number of triangles in a leaf, if not those of an image
+//   S  bits of the number of records that a walk may test, if not those of the register
 #pragma once
 
 #include "hls/box/format.hpp"
@@ -18,9 +20,16 @@ struct WalkBits {
   int levels = 60;   ///< L
   int stack = 3;     ///< K
   int ray = 5;       ///< I
+  int leaf = 0;      ///< E
+  int steps = 0;     ///< S
 
-  static constexpr FormatField fields[] = {
-      {"d", "D", 4, 36}, {"a", "A", 4, 32}, {"l", "L", 2, 60}, {"k", "K", 1, 6}, {"i", "I", 1, 8}};
+  static constexpr FormatField fields[] = {{"d", "D", 4, 36},
+                                           {"a", "A", 4, 32},
+                                           {"l", "L", 2, 60},
+                                           {"k", "K", 1, 6},
+                                           {"i", "I", 1, 8},
+                                           {"e", "E", 2, 7, nullptr, true},
+                                           {"s", "S", 4, 19, nullptr, true}};
 
   constexpr int rays() const { return power_of_two(ray); }
   constexpr int places() const { return power_of_two(stack); }
@@ -31,7 +40,7 @@ struct WalkBits {
   friend constexpr bool operator==(const WalkBits&, const WalkBits&) = default;
 };
 
-/// Bits of the number of triangles in a leaf; all ones is a record, 0 no child.
+/// Bits of the number of triangles in a leaf, in an image; all ones is a record, 0 no child.
 constexpr int child_count_bits = 8;
 /// Bits of the number of records that a ray's walk may test.
 constexpr int step_count_bits = 20;

@@ -38,11 +38,11 @@ constexpr Data<"level", &WalkBits::level> level;
 constexpr Data<"resumed", &WalkBits::level> resumed;  // the level that was taken up again last
 constexpr Data<"used", &WalkBits::used> used;         // places of the stack that hold something
 constexpr Data<"top", &WalkBits::stack> top;          // the next place
-constexpr Data<"steps", step_count_bits> steps;
+constexpr Data<"steps", step_bits> steps;
 struct Walk : List<trail, level, resumed, used, top, steps> {};
 // A child of a record, and where the ray is within it.
 constexpr Data<"child", address_bits> child;
-constexpr Data<"count", child_count_bits> count;
+constexpr Data<"count", leaf_bits> count;
 constexpr Data<"near", box_bits> near;
 constexpr Data<"far", box_bits> far;
 struct Entry : List<child, count, near, far> {};
@@ -81,7 +81,7 @@ constexpr Data<"level_2", &WalkBits::level> level_2;
 constexpr Data<"resumed_2", &WalkBits::level> resumed_2;
 constexpr Data<"used_2", &WalkBits::used> used_2;
 constexpr Data<"top_2", &WalkBits::stack> top_2;
-constexpr Data<"steps_2", step_count_bits> steps_2;
+constexpr Data<"steps_2", step_bits> steps_2;
 constexpr Data<"cut_2", box_bits> cut_2;
 constexpr Data<"entry_2", record_width<Entry>> entry_2;
 // What leaves.
@@ -91,7 +91,7 @@ constexpr Control<"ended_3"> ended_3;
 constexpr Data<"failed_3", failure_bits> failed_3;
 constexpr Control<"again_3"> again_3;
 constexpr Data<"block_3", address_bits> block_3;
-constexpr Data<"count_3", child_count_bits> count_3;
+constexpr Data<"count_3", leaf_bits> count_3;
 constexpr Data<"near_3", box_bits> near_3;
 constexpr Data<"far_3", box_bits> far_3;
 
@@ -136,20 +136,22 @@ struct Walker {
   template <class D>
   static constexpr void step(const auto& f, const auto& now, const auto& in, const auto& memory,
                              const auto& next) {
-    record_words<D>(in, memory);
+    record_words<D>(f, in, memory);
     take_up<D>(now, in, memory, next);
     follow<D>(f, now, in, memory, next);
     choose<D>(f, now, memory, next);
   }
 
  private:
-  static constexpr std::int64_t record_count = (1 << child_count_bits) - 1;
+  static constexpr std::int64_t record_count(const WalkBits& bits) {
+    return power_of_two(leaf_bits(bits)) - 1;
+  }
 
   /// The words of a ray whose record is read or tested.
   template <class D>
-  static constexpr void record_words(const auto& in, const auto& memory) {
+  static constexpr void record_words(const auto& f, const auto& in, const auto& memory) {
     using Bit = typename D::bit;
-    const Bit record = as("first_is_record", is<D>(in[count_0], record_count));
+    const Bit record = as("first_is_record", is<D>(in[count_0], record_count(f)));
     const auto blocks = as("first_blocks", select(record, D::lit(1, width_of(in[count_0])), in[count_0]));
     const auto sum = as("second_block", in[block] + blocks);
     const auto width = width_of(in[block]);
@@ -267,11 +269,11 @@ struct Walker {
     const Bit again = as("again", resumes & ~is_met);
     const Bit from_root = as("from_root", now[begins_2] | (now[pops_2] & ~now[some_2]));
     const auto root =
-        cat(D::lit(0, child.width(f)), D::lit(record_count, count.width(f)), D::lit(0, d), now[cut_2]);
+        cat(D::lit(0, child.width(f)), D::lit(record_count(f), count.width(f)), D::lit(0, d), now[cut_2]);
     const auto word =
         as("entry", select(from_root, root, select(now[descends_2], now[entry_2], stacked.word())));
     const auto entry = record_of<Entry>(f, word);
-    const Bit record = as("is_record", is<D>(entry[count], record_count));
+    const Bit record = as("is_record", is<D>(entry[count], record_count(f)));
 
     // A record is one level deeper than the record whose child it is; a leaf is of that level.
     const auto level_bits = level.width(f);
@@ -281,7 +283,7 @@ struct Walker {
     const Bit deeper = record & ~again;
     const auto its_level = select(from_root, D::lit(trail.width(f) - 1_w, level_bits), minus(parent, deeper));
     const Bit too_deep = as("too_deep", ~from_root & ~any<D>(parent));
-    const Bit too_long = as("too_long", Bit(now[steps_2] == in[most_steps]));
+    const Bit too_long = as("too_long", Bit(now[steps_2] == at_most<D>(in[most_steps], steps_2.width(f))));
     const Bit fails = as("fails", record & ~again & (too_deep | too_long));
     const Bit at_bound = as("at_bound", fails & ~now[ends_2]);
 

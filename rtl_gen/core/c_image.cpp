@@ -17,6 +17,7 @@ constexpr std::string_view text_of_image = R"(
 struct core_image {
   uint32_t coord_bits, levels, blocks, triangles;
   uint32_t missing; /* triangles of the mesh that the image lacks */
+  uint32_t most_in_leaf; /* triangles of one leaf, at most */
   double offset[3], scale;
 };
 
@@ -42,12 +43,17 @@ static inline const char* core_read_image(struct core_image* image, const uint8_
   image->blocks = (uint32_t)core_get(bytes + 44, 4);
   image->triangles = (uint32_t)core_get(bytes + 48, 4);
   image->missing = (uint32_t)core_get(bytes + 52, 4);
+  image->most_in_leaf = bytes[42];
   for (int axis = 0; axis < 3; ++axis) image->offset[axis] = core_double(bytes + 64 + 8 * axis);
   image->scale = core_double(bytes + 96);
   if (image->coord_bits != CORE_COORD_BITS) return "the image has another grid than the core";
   if (image->levels > CORE_LEVELS) return "the image has more levels than the core";
   if (((uint64_t)image->blocks - 1) >> CORE_BLOCK_BITS != 0)
     return "the image has more blocks than the core can name";
+  if (((uint64_t)image->triangles + image->missing) >> CORE_NUMBER_BITS != 0)
+    return "the mesh has more triangles than the core has numbers for";
+  if ((image->most_in_leaf + 1) >> CORE_LEAF_BITS != 0)
+    return "the image has leaves with more triangles than the core can count";
   const uint64_t all = (uint64_t)image->blocks * CORE_BLOCK_BYTES;
   if (all > size || all < CORE_HEADER_BYTES) return "the image is cut";
   const uint64_t before = core_hash(0xcbf29ce484222325u, bytes, 104);
@@ -89,8 +95,11 @@ std::string c_image(const Core& core) {
 #define CORE_HEADER_BYTES 128 /* with the record before the header */
 #define CORE_COORD_BITS {} /* n of an image's grid */
 #define CORE_LEVELS {} /* of records on a path */
+#define CORE_NUMBER_BITS {} /* of a triangle's number; all ones is none */
+#define CORE_LEAF_BITS {} /* of the number of triangles in a leaf; all ones is a record */
 )",
-                     hls::image_version, core.options.bits.coord, core.options.levels) +
+                     hls::image_version, core.options.bits.coord, core.options.levels,
+                     core.options.number_bits, core.options.leaf_bits) +
          text;
 }
 

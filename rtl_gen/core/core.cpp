@@ -73,17 +73,22 @@ class Maker {
     const int address = options.address_bits;
     const int t = bits.distance(), box = bits.boxes().length();
     const int questions = options.questions ? 1 : 0;
-    add_machine("door", hls::DoorBits{t, ray, questions});
-    add_machine("walker", hls::WalkBits{box, address, options.levels, options.stack_bits, ray});
-    add_machine("reader", hls::ReaderBits{address, ray, questions});
+    const auto fewer = [](int width, int usual) { return width == usual ? 0 : width; };
+    const int number = fewer(options.number_bits, hls::triangle_number_bits);
+    const int leaf = fewer(options.leaf_bits, hls::child_count_bits);
+    const int steps = fewer(options.step_bits, hls::step_count_bits);
+    add_machine("door", hls::DoorBits{t, ray, questions, options.questions ? number : 0});
+    add_machine("walker", hls::WalkBits{box, address, options.levels, options.stack_bits, ray, leaf, steps});
+    add_machine("reader", hls::ReaderBits{address, ray, questions, leaf});
     if (options.has_cache())
       add_machine("cache", cache_bits(options));
     else
       add_machine("requests", hls::RequestBits{address, options.byte_bits, ray});
-    add_machine("pair_feed",
-                hls::PairFeedBits{bits.coord, bits.finer, bits.mantissa, bits.box_fraction, address, ray});
+    add_machine("pair_feed", hls::PairFeedBits{bits.coord, bits.finer, bits.mantissa, bits.box_fraction,
+                                               address, ray, leaf});
     hls::CoreBits triangles{bits.world(), ray};
     triangles.crossings = options.questions ? 3 : 0;
+    triangles.number = number;
     if (options.serial()) {
       add_machine("serial_triangle", triangles);
     } else {
@@ -91,9 +96,9 @@ class Maker {
       add_machine("divider", triangles);
       if (options.questions) add_machine("ties", triangles);
     }
-    add_machine("best_hits",
-                hls::BestBits{t, bits.finer + bits.fraction - bits.box_fraction, box, ray, questions});
-    add_machine("replies", hls::ReplyBits{t, options.tag_bits, ray});
+    add_machine("best_hits", hls::BestBits{t, bits.finer + bits.fraction - bits.box_fraction, box, ray,
+                                           questions, number});
+    add_machine("replies", hls::ReplyBits{t, options.tag_bits, ray, number});
     hls::WorldBits tests = bits.world();
     tests.weights = options.weights ? 1 : 0;
     tests.crossings = triangles.crossings;

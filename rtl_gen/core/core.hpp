@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hls/machines/walk_format.hpp"
+#include "hls/world/core_format.hpp"
 #include "hls/world/ray_format.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/part/part.hpp"
@@ -41,6 +43,10 @@ struct CoreOptions {
   int address_bits = 24;     ///< of a block's number, 4..32
   int byte_bits = 32;        ///< of an address, at least address_bits + 5, at most 64
   int tag_bits = 16;         ///< of a ray's tag, 1..64
+  // A core that is fitted to scenes may have fewer bits than an image has room for (hls/machines/channels.hpp).
+  int number_bits = hls::triangle_number_bits;  ///< of a triangle's number, 4..32
+  int leaf_bits = hls::child_count_bits;        ///< of the number of triangles in a leaf, 2..8
+  int step_bits = hls::step_count_bits;         ///< of the number of records that a walk may test, 4..20
   /// Cycles from one triangle's test to the next, 3..64; or 0: a machine with one multiplier tests triangles,
   /// in some hundred cycles each.
   int triangle_interval = 4;

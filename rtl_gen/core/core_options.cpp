@@ -67,6 +67,9 @@ void check_core_options(const CoreOptions& options) {
   within("levels", options.levels, 2, CoreOptions::most_levels);
   within("bits of a block's number", options.address_bits, 4, 32);
   within("bits of an address", options.byte_bits, options.address_bits + 5, 64);
+  within("bits of a triangle's number", options.number_bits, 4, hls::triangle_number_bits);
+  within("bits of the number of triangles in a leaf", options.leaf_bits, 2, hls::child_count_bits);
+  within("bits of the number of steps", options.step_bits, 4, hls::step_count_bits);
   within("block RAMs", options.block_rams, 0, CoreOptions::most_block_rams);
   within("bits of a tag", options.tag_bits, 1, 64);
   if (options.data_bits < 64 || options.data_bits > 512 || (options.data_bits & (options.data_bits - 1)) != 0)

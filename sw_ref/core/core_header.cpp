@@ -65,6 +65,7 @@ void put_header(std::vector<CoreBlock>& blocks, const CoreHeader& header) {
   word(blocks, magic_word) = word_of(magic) | std::uint64_t{hls::image_version} << version_at;
   word(blocks, sizes_word) = static_cast<std::uint64_t>(header.coord_bits) |
                              static_cast<std::uint64_t>(header.levels) << 8 |
+                             static_cast<std::uint64_t>(header.most_in_leaf) << 16 |
                              std::uint64_t{blocks.size()} << 32;
   word(blocks, counts_word) = header.triangles | std::uint64_t{header.missing} << 32;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -99,7 +100,8 @@ CoreHeader header_of(std::span<const CoreBlock> blocks) {
   CoreHeader header{.coord_bits = coord_bits,
                     .levels = static_cast<int>(sizes >> 8 & 0xff),
                     .triangles = static_cast<std::uint32_t>(counts),
-                    .missing = static_cast<std::uint32_t>(counts >> 32)};
+                    .missing = static_cast<std::uint32_t>(counts >> 32),
+                    .most_in_leaf = static_cast<int>(sizes >> 16 & 0xff)};
   for (std::size_t axis = 0; axis < 3; ++axis)
     header.to_cube.offset[static_cast<glm::length_t>(axis)] =
         std::bit_cast<double>(word(blocks, offset_word + axis));

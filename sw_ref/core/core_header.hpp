@@ -22,6 +22,10 @@ struct CoreHeader {
   int levels = 0;               ///< records on a path from the root to a leaf, the root's own counted
   std::uint32_t triangles = 0;  ///< in the image
   std::uint32_t missing = 0;    ///< triangles of the source that the image lacks
+  int most_in_leaf = 0;         ///< triangles of one leaf, at most
+
+  /// Triangles of the source. Their numbers are below it.
+  [[nodiscard]] std::uint64_t in_source() const { return std::uint64_t{triangles} + missing; }
   Normalisation to_cube{};      ///< from the mesh's own units
 };
 

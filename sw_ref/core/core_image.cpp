@@ -161,6 +161,7 @@ class ImageWriter {
           to_block(CoreTriangle{triangle(part.first + i), numbers_.of_source(bvh_.order[part.first + i])},
                    scene_.bits.coord);
     image_.header.triangles += part.count;
+    image_.header.most_in_leaf = std::max(image_.header.most_in_leaf, static_cast<int>(part.count));
   }
 
   const IntScene& scene_;
@@ -189,6 +190,7 @@ class ImageReader {
     const auto unused = std::find(seen_.begin(), seen_.end(), false);
     if (unused != seen_.end()) fail(unused - seen_.begin(), "nothing leads to it");
     check_header("levels", levels_, image_.header.levels);
+    check_header("triangles in a leaf", most_in_leaf_, image_.header.most_in_leaf);
     check_header("triangles", static_cast<std::int64_t>(numbers_.size()), image_.header.triangles);
     check_numbers();
     const Normalisation& to_cube = image_.header.to_cube;
@@ -216,7 +218,7 @@ class ImageReader {
     const auto twice = std::adjacent_find(numbers_.begin(), numbers_.end());
     if (twice != numbers_.end())
       throw std::runtime_error(fmt::format("two triangles of the image have the number {}", *twice));
-    const std::uint64_t in_source = std::uint64_t{image_.header.triangles} + image_.header.missing;
+    const std::uint64_t in_source = image_.header.in_source();
     if (!numbers_.empty() && numbers_.back() >= in_source)
       throw std::runtime_error(
           fmt::format("the image has a triangle {}, but its header says that the mesh has {} triangles",
@@ -241,6 +243,7 @@ class ImageReader {
       const std::int32_t count = record.counts[which];
       if (count == PairChild::none) continue;
       if (!holds(common, boxes[which])) fail(block, "a child's box is not inside its parent's");
+      if (count != PairChild::branch) most_in_leaf_ = std::max(most_in_leaf_, count);
       const std::uint32_t taken = count == PairChild::branch ? 1 : static_cast<std::uint32_t>(count);
       for (std::uint32_t i = 0; i < taken; ++i) {
         take(at + i, block, count == PairChild::branch ? hls::record_block : hls::triangle_block);
@@ -267,7 +270,7 @@ class ImageReader {
 
   CoreImage image_;
   std::vector<bool> seen_;
-  int levels_ = 0;
+  int levels_ = 0, most_in_leaf_ = 0;
   std::vector<std::uint32_t> numbers_;
 };
 

@@ -47,9 +47,10 @@ void compare_pixels(const std::vector<glm::vec3>& a, const std::vector<glm::vec3
   for (std::size_t i = 0; i < a.size(); ++i) {
     const glm::vec3 d = glm::abs(a[i] - b[i]);
     const float largest = std::max({d.x, d.y, d.z});
-    error.different_pixels += largest > same_colour ? 1 : 0;
+    if (largest > same_colour) error.different_at.push_back(static_cast<std::uint32_t>(i));
     error.largest_difference = std::max(error.largest_difference, double{largest});
   }
+  error.different_pixels = error.different_at.size();
 }
 
 }  // namespace

@@ -32,10 +32,11 @@ struct IntError {
   std::uint32_t lost_to_rounding = 0;  ///< triangles of the float world that lose their area on the grid
   double largest_movement = 0;         ///< of a corner, in units of the [-1, 1] cube
   std::uint64_t pixels = 0;
-  std::uint64_t different_pixels = 0;  ///< some channel differs by more than 1/256
-  double largest_difference = 0;       ///< of a channel
-  TraceCounts exact;                   ///< the same rays in the integer world, with exact boxes
-  std::vector<TraceCounts> with;       ///< with the boxes of each format
+  std::uint64_t different_pixels = 0;       ///< some channel differs by more than 1/256
+  std::vector<std::uint32_t> different_at;  ///< their places, row by row
+  double largest_difference = 0;            ///< of a channel
+  TraceCounts exact;                        ///< the same rays in the integer world, with exact boxes
+  std::vector<TraceCounts> with;            ///< with the boxes of each format
 };
 
 /// The largest difference of a channel at which two pixels count as the same.

@@ -1,0 +1,415 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "area_model/figure.hpp"
+#include "cli/commands.hpp"
+#include "cli/options/core_options.hpp"
+#include "cli/options/design_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
+#include "cli/options/implement_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/csv_metadata.hpp"
+#include "cli/text/help.hpp"
+#include "cli/text/implementation_text.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
+#include "cli/text/table.hpp"
+#include "host/files.hpp"
+#include "rtl_gen/core/files.hpp"
+#include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/verilog/names.hpp"
+#include "sim/core/core_trace.hpp"
+#include "sim/core/core_vectors.hpp"
+#include "sim/fit/core_fit.hpp"
+#include "sim/implement/core_implementation.hpp"
+#include "sim/machine/verilated_machine.hpp"
+#include "sim/vectors/design_vectors.hpp"
+#include "sw_ref/render/image_file.hpp"
+#include "sw_ref/world/int_error.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+struct CoreFitCommand {
+  SceneChoice placing;  ///< of all scenes
+  std::vector<std::string> scenes;
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
+  std::optional<std::string> bits;  ///< of the integer world, or of a core
+  CoreChoice core;
+  sim::CoreFitOptions fit;
+  std::string memory{"dram"};
+  std::string library{rtl::default_library};
+  std::string target;  ///< empty: it is not mapped
+  std::string out, module;
+  OutputFormat format = OutputFormat::text;
+};
+
+/// A scene's rays through the fitted core in Verilog.
+struct FittedTrace {
+  std::string scene;
+  sim::CoreTrace trace;
+  ref::IntError error;
+};
+
+std::string bits_text(const hls::RayBits& bits) {
+  return rtl::to_string(rtl::Format(bits));
+}
+
+Row price_row(const rtl::CoreOptions& core, const area::CorePartPrice& price, const sim::CoreRate& rate,
+              const rtl::Library& library) {
+  Row row{{"bits", bits_text(core.bits)},
+          {"rays_in_flight", core.rays},
+          {"triangle_ii", core.serial() ? Row("serial") : Row(core.triangle_interval)},
+          {"stack", 1 << core.stack_bits},
+          {"cache_kib", core.cache_kib},
+          {"levels", core.levels},
+          {"block_bits", core.address_bits},
+          {"address_bits", core.byte_bits},
+          {"tag_bits", core.tag_bits},
+          {"number_bits", core.number_bits},
+          {"leaf_bits", core.leaf_bits},
+          {"step_bits", core.step_bits}};
+  if (library.chip() == nullptr) {
+    row["area_mm2"] = area::area_mm2(price.area_um2);
+  } else {
+    row["lut"] = price.taken.luts;
+    row["ff"] = price.taken.registers;
+    row["dsp"] = price.taken.blocks;
+  }
+  row["memory_bits"] = price.memory_bits;
+  row["clock_ps"] = rate.clock_ps;
+  row["cycles_a_ray"] = *std::max_element(rate.cycles_a_ray.begin(), rate.cycles_a_ray.end());
+  row["mrays_s"] = rate.rays_per_second() / 1e6;
+  return row;
+}
+
+class Fitting {
+ public:
+  Fitting(const CoreFitCommand& command, const CLI::App& parsed)
+      : command_(command),
+        parsed_(parsed),
+        target_(command.target.empty() ? std::nullopt : std::optional(sim::target_called(command.target))),
+        library_(rtl::library_called(target_ ? target_->library : command.library)) {}
+
+  int run() {
+    if (!command_.module.empty()) rtl::check_module_name(command_.module);
+    if (target_) (void)sim::find_chip_tools(*target_);
+    host::make_folder(command_.out);
+    read_scenes();
+    search();
+    emit();
+    trace();
+    if (target_) implement();
+    progress_.reset();
+    return report();
+  }
+
+ private:
+  void show(const std::string& step) {
+    if (step == step_) return;
+    step_ = step;
+    progress_.emplace(step);
+  }
+
+  void read_scenes() {
+    for (const std::string& name : command_.scenes) {
+      show("reading " + name);
+      SceneChoice choice = command_.placing;
+      choice.name = name;
+      scenes_.push_back(choice.load());
+    }
+  }
+
+  void search() {
+    sim::CoreFitOptions options = command_.fit;
+    options.hierarchy = command_.hierarchy;
+    options.core = command_.core.core();
+    options.memory = sim::memory_port(command_.memory);
+    options.width = command_.placing.width;
+    options.height = command_.placing.height;
+    if (command_.memory != "ideal") options.caches = {0, 4, 16, 64};
+    if (command_.bits) {
+      const bool whole = command_.bits->find('/') != std::string::npos;
+      options.fixed.world = true;
+      options.fixed.boxes = whole;
+      if (whole) {
+        options.core.bits = rtl::parse_bits<hls::RayBits>(*command_.bits);
+      } else {
+        const auto world = rtl::parse_bits<hls::WorldBits>(*command_.bits);
+        options.core.bits = {world.coord, world.finer, options.core.bits.mantissa,
+                             0,           world.slope, world.fraction};
+      }
+    }
+    if (target_) {
+      for (const sim::Resource& resource : target_->resources) {
+        if (resource.name == "luts") options.most_luts = resource.available;
+        if (resource.name == "rams" && library_.name().starts_with("ice40"))
+          options.core.block_rams = resource.available.value_or(0);
+      }
+    }
+    options.progress = [this](const std::string& step) { show(step); };
+    fit_ = sim::fit_core(scenes_, options, library_);
+    options_ = options;
+  }
+
+  void emit() {
+    show("writing the core");
+    core_ = rtl::make_core(fit_->core, library_, command_.module);
+    std::vector<host::File> files =
+        rtl::core_files(*core_, library_, sim::core_test(*core_, sim::usual_core_cycles, sim::usual_seed));
+    rtl::add_drawings(files);
+    for (const sim::CoreFitScene& scene : fit_->scenes)
+      files.push_back({stem(scene.scene->scene.name) + ".bin", ref::core_image_bytes(scene.image.blocks)});
+    host::write_files(command_.out, files);
+  }
+
+  void trace() {
+    show("compiling the Verilog");
+    sim::VerilatedMachine machine(*core_, rtl::to_verilog(*core_, library_));
+    const sim::MemoryOptions memory = sim::memory_behind(options_->memory, core_->options);
+    for (const sim::CoreFitScene& scene : fit_->scenes) {
+      const std::string& name = scene.scene->scene.name;
+      show("tracing " + name + " in Verilog");
+      const ref::RenderOptions picture{.width = options_->width, .height = options_->height};
+      const sim::PictureRays rays = sim::picture_rays(scene.scene, scene.image,
+                                                      {.world = core_->options.bits.world(),
+                                                       .boxes = core_->options.bits.boxes(),
+                                                       .places = 1 << core_->options.stack_bits},
+                                                      picture);
+      std::vector<glm::vec3> drawn;
+      FittedTrace& made = traces_.emplace_back();
+      made.scene = name;
+      made.trace = sim::trace_core(
+          *core_, machine, scene.image, rays, memory, {},
+          [&](std::span<const sim::CoreAnswer> answers) { drawn = rays.drawn(answers, picture); });
+      const auto of_scene = static_cast<std::size_t>(&scene - fit_->scenes.data());
+      made.error = ref::int_error(scenes_[of_scene], {.world = core_->options.bits.world(),
+                                                      .width = picture.width,
+                                                      .height = picture.height,
+                                                      .hierarchy = command_.hierarchy});
+      draw(stem(name) + ".png", drawn);
+      draw(stem(name) + "_different.png", marked(drawn, made.error.different_at));
+    }
+  }
+  /// The picture in grey, with the pixels that differ in red.
+  static std::vector<glm::vec3> marked(std::vector<glm::vec3> picture,
+                                       const std::vector<std::uint32_t>& different) {
+    for (glm::vec3& pixel : picture) pixel = glm::vec3((pixel.x + pixel.y + pixel.z) / 6);
+    for (const std::uint32_t at : different) picture.at(at) = {1, 0, 0};
+    return picture;
+  }
+  void draw(const std::string& file, const std::vector<glm::vec3>& picture) const {
+    ref::write_image(std::filesystem::path(command_.out) / file, options_->width, options_->height, picture);
+  }
+  static std::string stem(const std::string& scene) { return std::filesystem::path(scene).stem().string(); }
+
+  void implement() {
+    sim::ImplementOptions options;
+    options.folder = command_.out;
+    options.seeds = 0;
+    options.progress = [this](const std::string& step) { show(step); };
+    implemented_ = sim::implement_core(fit_->core, *target_, options);
+  }
+
+  [[nodiscard]] Row cut_row(const sim::CoreCut& cut) const {
+    const std::int64_t with = sim::size_of(fit_->price.all, library_),
+                       without = sim::size_of(cut.without, library_);
+    return {{"left_out", cut.what},
+            {"share_pct", 100.0 * static_cast<double>(without - with) / static_cast<double>(without)},
+            {"why", cut.why}};
+  }
+  [[nodiscard]] Row trace_row(const FittedTrace& traced) const {
+    const auto pct = [](std::uint64_t part, std::uint64_t whole) {
+      return 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(1, whole));
+    };
+    return {{"scene", traced.scene},
+            {"rays", traced.trace.counts.rays},
+            {"wrong", traced.trace.wrong},
+            {"failed", traced.trace.counts.failed},
+            {"cycles_a_ray", traced.trace.a_ray(traced.trace.counts.cycles)},
+            {"other_triangles_pct", pct(traced.error.different_rays, traced.error.rays)},
+            {"different_pixels", traced.error.different_pixels}};
+  }
+
+  int report() {
+    Row core{{"core", "fitted"}}, usual{{"core", "default"}};
+    core.update(price_row(fit_->core, fit_->price.all, fit_->rate, library_));
+    usual.update(price_row(fit_->before, fit_->price_before.all, fit_->rate_before, library_));
+    std::vector<Row> tried, cuts, traced;
+    for (const sim::TriedWorld& each : fit_->tried)
+      tried.push_back({{"bits", rtl::to_string(rtl::Format(each.bits))},
+                       {"other_triangles_pct", each.error_pct},
+                       {"taken", each.taken ? "yes" : ""}});
+    for (const sim::CoreCut& cut : fit_->cuts) cuts.push_back(cut_row(cut));
+    for (const FittedTrace& each : traces_) traced.push_back(trace_row(each));
+    Row all = notes_of(parsed_);
+    all.update({{"module", core_->module},
+                {"library", library_.name()},
+                {"memory", command_.memory},
+                {"cores_tried", fit_->cores_tried},
+                {"formats_tried", tried},
+                {"fitted", core},
+                {"default", usual},
+                {"left_out", cuts},
+                {"scenes", traced}});
+    std::string faults;
+    if (implemented_) {
+      Row mapped{{"target", target_->name}};
+      mapped.update(taken_row(implemented_->core.chip));
+      all["mapped"] = mapped;
+      if (const std::string fault = fault_of(*target_, implemented_->core.chip); !fault.empty())
+        faults += fmt::format("hitpipe: {} {}\n", core_->module, fault);
+    }
+    for (const FittedTrace& each : traces_)
+      if (!each.trace.right())
+        faults += fmt::format("hitpipe: {}: {} of {} answers are wrong\n", each.scene, each.trace.wrong,
+                              each.trace.counts.rays);
+    host::write_file(std::filesystem::path(command_.out) / "fit.json", record_text(all, OutputFormat::json));
+    print(all, {usual, core}, tried, cuts, traced);
+    fmt::print(stderr, "{}", faults);
+    return faults.empty() ? 0 : 1;
+  }
+  void print(const Row& all, const std::vector<Row>& cores, const std::vector<Row>& tried,
+             const std::vector<Row>& cuts, const std::vector<Row>& traced) const {
+    if (command_.format == OutputFormat::json) {
+      fmt::print("{}", record_text(all, OutputFormat::json));
+      return;
+    }
+    if (command_.format == OutputFormat::csv) {
+      fmt::print("{}", table_text(cuts, OutputFormat::csv));
+      return;
+    }
+    if (!tried.empty()) fmt::print("{}\n", table_text(tried, OutputFormat::text));
+    fmt::print("{}\n", columns_text(cores));
+    if (!cuts.empty()) fmt::print("{}\n", table_text(cuts, OutputFormat::text));
+    fmt::print("{}", table_text(traced, OutputFormat::text));
+    if (all.contains("mapped"))
+      fmt::print("\n{}", record_text(without_nothing(all.at("mapped")), OutputFormat::text));
+    fmt::print(
+        "\nA share is how much smaller the core is than without that cut alone; shares do not add "
+        "up.\nmemory: {}; files: {}\n",
+        command_.memory, command_.out);
+  }
+
+  const CoreFitCommand& command_;
+  const CLI::App& parsed_;
+  std::optional<sim::Target> target_;
+  rtl::Library library_;
+  std::vector<ref::Scene> scenes_;
+  std::optional<sim::CoreFitOptions> options_;
+  std::optional<sim::CoreFit> fit_;
+  std::optional<rtl::Core> core_;
+  std::vector<FittedTrace> traces_;
+  std::optional<sim::CoreImplementation> implemented_;
+  std::string step_;
+  std::optional<Progress> progress_;
+};
+
+/// Options that a fit chooses unless they are given.
+sim::CoreFixed fixed_by(const CLI::App& command) {
+  const auto given = [&](const char* option) { return command.get_option(option)->count() > 0; };
+  return {.rays = given("--rays"),
+          .stack = given("--stack"),
+          .triangles = given("--triangle-ii"),
+          .cache = given("--cache"),
+          .levels = given("--levels"),
+          .block_bits = given("--block-bits"),
+          .byte_bits = given("--address-bits"),
+          .tag_bits = given("--tag-bits"),
+          .number_bits = given("--number-bits"),
+          .leaf_bits = given("--leaf-bits"),
+          .step_bits = given("--step-bits")};
+}
+
+}  // namespace
+
+CLI::App* add_core_fit_command(CLI::App& core, int& exit_code) {
+  CLI::App* const command =
+      core.add_subcommand("fit", "Leave out of a core what scenes do not need, and check it");
+  const auto options = std::make_shared<CoreFitCommand>();
+  options->placing.width = options->placing.height = 64;
+  add_scene_options(*command, options->placing);
+  command->remove_option(command->get_option("--scene"));
+  command->remove_option(
+      command->get_option("--target"));  // here it is a chip; a scene file says where a camera looks
+  add_list_option(
+      *command, "--scene", options->scenes,
+      "Scenes that the core is for, with commas between them: built-in ones (hitpipe list), scene files "
+      "or meshes",
+      "NAME|FILE")
+      ->required();
+  add_hierarchy_options(*command, options->hierarchy, Boxes::integers);
+  command
+      ->add_option(
+          "--bits", options->bits,
+          "Bits of coordinates, n+gsS, or of boxes too, n+g/psS. By default those that --error allows")
+      ->type_name("FORMAT");
+  command
+      ->add_option("--error", options->fit.error_pct,
+                   "Percent of the rays that may find another triangle than in the float world")
+      ->transform(number_from(0.0, 100.0))
+      ->capture_default_str()
+      ->type_name("P");
+  const Choices<sim::CoreGoal> goals{{"area", sim::CoreGoal::area}, {"rate", sim::CoreGoal::rate}};
+  add_choice_option(
+      *command, "--for", options->fit.goal, goals,
+      "The least area, or the most rays a second: of what fits the target, or without one for its size");
+  command
+      ->add_option(
+          "--rate-rays", options->fit.rays_per_second,
+          "With --for area: rays a second that the core traces in each scene (0 to 10^12); 0 is any rate")
+      ->transform(number_from(0.0, 1e12))
+      ->type_name("R");
+  command
+      ->add_option("--overhead", options->fit.overhead_pct,
+                   "With --for area: so many percent more blocks may be read, because of coarse boxes and a "
+                   "short stack")
+      ->transform(number_from(0.0, 1000.0))
+      ->capture_default_str()
+      ->type_name("P");
+  add_memory_option(*command, options->memory);
+  add_library_option(*command, options->library);
+  CLI::Option* const target = add_target_option(*command, options->target);
+  exclude(target, command->get_option("--library"), "a target has its library");
+  std::vector<CLI::Option*> chosen = add_one_core_options(*command, options->core);
+  for (CLI::Option* const option : add_core_cache_options(*command, options->core)) chosen.push_back(option);
+  for (CLI::Option* const option : add_core_port_options(*command, options->core)) chosen.push_back(option);
+  add_count_option(*command, "--clock-ps", options->core.options.clock_ps, {1, 1'000'000'000},
+                   "Clock period in picoseconds of the units; by default that of the slowest machine");
+  static const std::set<std::string> by_fit{"--rays",        "--stack",      "--triangle-ii",  "--cache",
+                                            "--levels",      "--block-bits", "--address-bits", "--tag-bits",
+                                            "--number-bits", "--leaf-bits",  "--step-bits"};
+  for (CLI::Option* const option : chosen)
+    if (by_fit.contains(option->get_name())) option->default_str("by the fit");
+  add_core_bus_options(*command, options->core);
+  command
+      ->add_option("--name", options->module,
+                   "Name of the Verilog module, which also begins the names of all files")
+      ->type_name("MODULE");
+  add_folder_option(*command, options->out,
+                    "Folder for the core, the scenes' images and pictures, and fit.json")
+      ->required();
+  add_format_option(*command, options->format);
+  add_examples(*command,
+               {"hitpipe core fit --scene spheres --out fitted",
+                "hitpipe core fit --scene spheres --bits 12+0s12 --target ice40_up5k --out fitted"});
+  command->callback([options, command, &exit_code] {
+    options->hierarchy.build.threads = options->placing.threads;
+    options->fit.fixed = fixed_by(*command);
+    exit_code = Fitting(*options, *command).run();
+  });
+  return command;
+}
+
+}  // namespace hitpipe::cli
