@@ -6,7 +6,8 @@ set -eu
 program=${1:-build/hitpipe}
 out=out/report
 "$program" report --scene spheres --width 64 --height 64 \
-  --bits 24/32,24/28,24/24,20/28,20/24,20/20,16/24,16/20,16/16,12/12,10/12,8/8,20+1/13,16+1/12,12+1/10,e8m23,e8m15,e8m7,e5m10 --out "$out"
+  --bits 24/32,24/28,24/24,20/28,20/24,20/20,16/24,16/20,16/16,12/12,10/12,8/8,20+1/13,16+1/12,12+1/10,e8m23,e8m15,e8m7,e5m10 \
+  --without images,pipelines,stability,stiff,world,core,schematics --out "$out"
 mkdir -p docs/report
 # The diagrams that the page shows.
 grep -o 'report/[a-z_]*\.svg' docs/choosing.md | sort -u | while read -r diagram; do cp "$out/${diagram#report/}" "docs/$diagram"; done

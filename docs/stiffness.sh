@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Makes the tables of docs/measured/stiffness.md and its plot again: docs/stiffness.sh [PROGRAM [FOLDER]], where FOLDER holds
 # stiffness.md.
-# A test runs it and compares with what is kept.
+# A test runs it and compares the tables, and the rows that the plot shows, with what is kept.
 set -euo pipefail
 program=${1:-build/hitpipe}
 folder=${2:-docs/measured}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 "$program" check --stiff --scene spheres int_slabs,int_plucker --out "$out" --format csv >/dev/null 2>&1
-cp "$out/stiffness.svg" "$folder/stiffness.svg"
+cp "$out/stiffness.svg" "$out/stiffness.csv" "$folder"
 
 # table WHAT: rows by ratio, columns by design and format, with the columns of the CSV by their names. The kinds of box of a
 # ratio are added up, as the command does in text.

@@ -16,6 +16,7 @@
 #include "cli/options/picture_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/pieces/pieces.hpp"
+#include "cli/report/python.hpp"
 #include "cli/text/check_report.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/help.hpp"
@@ -48,7 +49,7 @@ struct CheckCommand {
   std::optional<std::string> replay;
   PiecesChoice pieces;
   std::string out;  ///< of pieces, or of stiff rays
-  PictureForm pictures = page_form;
+  std::optional<double> plot_width_mm;
   OutputFormat format = OutputFormat::text;
 };
 
@@ -94,14 +95,22 @@ int judge_units(const CheckCommand& command, const DesignsChoice& choice, const 
       [&] { return report_findings(find({}), command.format); });
 }
 
+/// What draws into the folder, if there is one to draw into. Throws if it is not installed.
+std::vector<std::string> drawer_of(const CheckCommand& command) {
+  if (command.out.empty() || (command.pieces.any() && command.pieces.join.empty())) return {};
+  return python_program("check", "stiff_plot.py");
+}
+
 int judge_stiff(const CheckCommand& command, const StiffCheck& stiff, const CLI::App& parsed) {
   const std::vector<MeasuredDesign> designs = stiff_designs(stiff);
+  const std::vector<std::string> drawer = drawer_of(command);
   return do_work(
       {parsed, command.pieces, command.out, stiff_formats(designs), "formats"},
       [&](host::Piece piece) { return to_row(check_stiff_rays(stiff, designs, piece)); },
       [&] {
-        return report_findings(check_stiff_rays(stiff, designs, {}),
-                               {command.out, command.pictures, command.format, notes_of(parsed)});
+        return report_findings(
+            check_stiff_rays(stiff, designs, {}),
+            {command.out, command.plot_width_mm, drawer, command.format, notes_of(parsed)});
       });
 }
 
@@ -119,7 +128,7 @@ int join(const CheckCommand& command, const CLI::App& parsed) {
     Row notes = notes_of(parsed);
     notes["command"] = joined_command(pieces.front().note.command, command.out);
     return report_findings(sum_of(pieces, parse_stiff_findings),
-                           {command.out, command.pictures, command.format, notes});
+                           {command.out, command.plot_width_mm, drawer_of(command), command.format, notes});
   }
   if (!command.out.empty()) throw std::runtime_error("--out: only stiff rays have files");
   if (pieces.front().result.contains("units"))
@@ -209,15 +218,15 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
   add_large_count_option(*command, "--rays", stiff->rays, 1, 1'000'000'000,
                          "With --stiff: rays through the scene for each ratio (1 to 10^9)")
       ->needs(is_stiff);
-  add_plot_width_option(*command, options->pictures, "With --stiff: ")->needs(is_stiff);
+  add_plot_width_option(*command, options->plot_width_mm, "With --stiff: ")->needs(is_stiff);
   for (const char* const other : {"--category", "--rtl", "--replay"})
     exclude(is_stiff, command->get_option(other), "stiff rays have cases of their own, and the C++ answers");
   exclude(is_safe, is_stiff, "--stiff without a design takes the same designs");
   exclude(is_safe, names, "it takes the designs that never miss");
   add_format_option(*command, options->format);
-  CLI::Option* const out = add_pieces_options(
-      *command, options->pieces, options->out, Output::folder,
-      "With --stiff: folder for the rows as CSV and for the plots as SVG, PDF and gnuplot");
+  CLI::Option* const out =
+      add_pieces_options(*command, options->pieces, options->out, Output::folder,
+                         "With --stiff: folder for the rows as CSV and for the plots as SVG, PDF and PNG");
   command->get_option("--plot-width")->needs(out);
   for (const char* const other : {"--pieces", "--piece", "--join", "--safe"})
     exclude(command->get_option("--replay"), command->get_option(other), "it judges one case");

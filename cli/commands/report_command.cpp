@@ -1,14 +1,19 @@
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include "area_model/price.hpp"
 #include "cli/commands.hpp"
-#include "cli/commands/world_sweep.hpp"
 #include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
@@ -16,19 +21,19 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
-#include "cli/report/core_plot.hpp"
-#include "cli/report/report_sections.hpp"
-#include "cli/report/report_sweep.hpp"
+#include "cli/report/python.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/help.hpp"
-#include "cli/text/last_line.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "cli/version.hpp"
-#include "host/files.hpp"
+#include "host/machine.hpp"
 #include "host/outputs.hpp"
+#include "sim/fit/fit_scene.hpp"
+#include "sim/generic_tracer.hpp"
 #include "sim/software.hpp"
+#include "sim/sweep/resume.hpp"
 
 namespace hitpipe::cli {
 
@@ -36,7 +41,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int world_mantissa = 11;  ///< p of the boxes in the integer world
+/// What --without takes, as report/report.py calls them.
+constexpr std::array<std::string_view, 7> sections{"images", "pipelines", "stability", "stiff",
+                                                   "world",  "core",      "schematics"};
 
 struct ReportCommand {
   SceneChoice scene;
@@ -51,7 +58,9 @@ struct ReportCommand {
   std::uint64_t ratio_tests = 20'000;  ///< for each ratio of stiff rays; --tests sets both
   std::uint64_t seed = 1;
   std::string out;
-  PictureForm plots = report_form;
+  std::optional<double> plot_width_mm;
+  bool fit = false;
+  std::vector<std::string> without;  ///< sections
   OutputFormat format = OutputFormat::text;
 };
 
@@ -68,7 +77,8 @@ std::string options_given(const CLI::App& command, Given which, const ref::Hiera
     const bool of_scene = name != "--out" && name != "--plot-width" && name != "--rows" && name != "--bits" &&
                           name != "--ii" && !name.starts_with("--image-") && name != "--tests" &&
                           name != "--seed" && name != "--threads" && name != "--format" &&
-                          name != "--faces" && !option->get_positional();
+                          name != "--faces" && name != "--fit" && name != "--without" &&
+                          !option->get_positional();
     const bool of_cost = name == "--library" || name == "--tests-only" || name.starts_with("--triangle-");
     const bool of_picture = name == "--width" || name == "--height" || name == "--bounces" ||
                             name == "--diffuse" || name == "--occlusion" || name == "--light-seed";
@@ -87,17 +97,6 @@ std::string options_given(const CLI::App& command, Given which, const ref::Hiera
   return text + " " + hierarchy_arguments(said);
 }
 
-/// The smallest format of a design among the rows. If there is none, the format that the design has.
-rtl::Format coarsest(std::span<const sim::SweepRow> rows, const DesignChoice& unit) {
-  rtl::Format least = unit.format();
-  for (const sim::SweepRow& row : rows) {
-    if (row.design != unit.name) continue;
-    const rtl::Format format = unit.design().parse_format(row.bits);
-    if (format.numbers() < least.numbers()) least = format;
-  }
-  return least;
-}
-
 std::vector<const rtl::Design*> traced_designs() {
   std::vector<const rtl::Design*> traced;
   for (const rtl::Design& design : rtl::designs())
@@ -112,33 +111,90 @@ std::string image_design() {
   return "";
 }
 
-/// "int_slabs,int_major ".
-std::string conservative_names(const std::vector<MeasuredDesign>& designs) {
-  std::string names;
-  for (const MeasuredDesign& each : designs)
-    names += fmt::format("{}{}", names.empty() ? "" : ",", each.design->name);
-  return names + " ";
+/// What the programs in Python know of a design.
+Row facts_of(const rtl::Design& design) {
+  return {{"place", rtl::place_of(design).value()},
+          {"conservative", design.conservative},
+          {"single", design.default_format.family().single}};
 }
 
-std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& command, const ref::Scene& scene,
-                                                       const ref::Bvh& bvh,
-                                                       std::span<const sim::SweepRow> rows) {
-  const auto sum = [&](const char* column) { return readable_number(cell(rows.front(), column)); };
-  return {{"Scene", scene.name},
-          {"Mesh", summary_of(scene_row(scene))},
-          {"Hierarchy", command.hierarchy.text()},
-          {"Nodes of the hierarchy", readable_number(std::to_string(bvh.nodes.size()))},
-          {"Image", fmt::format("{} x {} pixels", command.scene.width, command.scene.height)},
-          {"Rays",
-           fmt::format("{} primary, {} secondary, {} shadow; {} outside the cube, which no unit takes",
-                       sum("rays_primary"), sum("rays_secondary"), sum("rays_shadow"), sum("rays_rejected"))},
-          {"Files beside this page",
-           "rows.csv, pictures.csv, pipelines.csv, stability.csv, stiffness.csv, integer_world.csv, "
-           "core.csv, what they share in csv-metadata.json, the diagrams as SVG, PDF and programs of "
-           "gnuplot, and the pictures as PNG; the page itself needs none of them"}};
+Row unit_row(const rtl::Design& design, const rtl::Format& format) {
+  return {{"design", design.name},
+          {"bits", rtl::to_string(format)},
+          {"bits_option", design.bits_option(format)},
+          {"name", design.name_at(format)}};
 }
 
-int report(const ReportCommand& command, const CLI::App& options) {
+/// The units that a report looks at closely: each design that the user named in its usual format, or else in
+/// the last one that is swept. If none is named, the thesis's six units (Table 7.2).
+std::vector<std::pair<const rtl::Design*, rtl::Format>> close_units(
+    const std::vector<sim::DesignFormats>& formats, bool named) {
+  std::vector<std::pair<const rtl::Design*, rtl::Format>> units;
+  if (!named)
+    for (const area::Entry& entry : area::table_7_2())
+      units.emplace_back(&rtl::find_design(entry.design), entry.format);
+  for (const sim::DesignFormats& each : named ? formats : std::vector<sim::DesignFormats>{}) {
+    const bool usual = std::ranges::find(each.formats, each.design->default_format) != each.formats.end();
+    units.emplace_back(each.design, usual ? each.design->default_format : each.formats.back());
+  }
+  return units;
+}
+
+/// The design whose Verilog renders, and the formats of its maps of extra tests with the options of their
+/// traversals: its own, and the smallest that is swept.
+Row image_row(const DesignChoice& image, const std::vector<sim::DesignFormats>& swept) {
+  const rtl::Design& design = image.design();
+  std::vector<rtl::Format> formats{image.format()};
+  for (const sim::DesignFormats& each : swept) {
+    if (each.design != &design) continue;
+    const rtl::Format least = *std::ranges::min_element(each.formats, {}, &rtl::Format::numbers);
+    if (least != formats.front()) formats.push_back(least);
+  }
+  Row row = unit_row(design, formats.front());
+  row["tracers"] = Row::array();
+  if (const auto named = sim::software_of(design).named_tracer)
+    for (const rtl::Format& format : formats)
+      row["tracers"].push_back({rtl::to_string(format), trace_options_text(named(format))});
+  return row;
+}
+
+/// The rows that the user has, at the cost of a triangle test that the user says now, as rows.csv.
+std::vector<sim::SweepRow> take_rows(const ReportCommand& command, const ref::Scene& scene,
+                                     const rtl::Library& library) {
+  const ref::Bvh bvh = ref::make_hierarchy(scene, command.hierarchy).bvh;
+  const sim::TriangleCost triangle = command.cost.triangle(library);
+  std::vector<sim::SweepRow> rows =
+      sim::read_rows_of(command.rows, sim::sweep_subject(scene, bvh,
+                                                         {.width = command.scene.width,
+                                                          .height = command.scene.height,
+                                                          .threads = command.scene.threads,
+                                                          .light = command.light,
+                                                          .program = std::string(program_version()),
+                                                          .hierarchy = command.hierarchy.name(),
+                                                          .library = &library,
+                                                          .tests_only = command.cost.tests_only,
+                                                          .triangle = triangle}));
+  if (rows.empty()) throw std::runtime_error(fmt::format("{}: holds no rows", command.rows));
+  if (command.cost.says_triangle())
+    for (sim::SweepRow& row : rows) row.triangle = triangle;
+  return rows;
+}
+
+/// The formats of each design that the rows have.
+std::vector<sim::DesignFormats> formats_of(const std::vector<sim::SweepRow>& rows) {
+  std::vector<sim::DesignFormats> formats;
+  for (const sim::SweepRow& row : rows) {
+    const rtl::Design& design = rtl::find_design(row.design);
+    auto of = std::ranges::find(formats, &design, &sim::DesignFormats::design);
+    if (of == formats.end()) of = formats.insert(formats.end(), {&design, {}});
+    const rtl::Format format = design.parse_format(row.bits);
+    if (std::ranges::find(of->formats, format) == of->formats.end()) of->formats.push_back(format);
+  }
+  return formats;
+}
+
+/// All that report/report.py needs to know, after all that can be refused has been.
+Row plan_of(const ReportCommand& command, const CLI::App& options) {
   if (!command.image.design().conservative)
     throw std::runtime_error(
         fmt::format("design {}: can miss boxes; give a design that never does", command.image.name));
@@ -148,176 +204,95 @@ int report(const ReportCommand& command, const CLI::App& options) {
   for (const char* const name : {"rows.csv", "pictures.csv", "pipelines.csv", "stability.csv",
                                  "stiffness.csv", "integer_world.csv", "core.csv"})
     host::announce_output("--out", fs::path(command.out) / name);
-  const rtl::Format image_format = command.image.format();
   const rtl::Library library = command.cost.load();
-  const sim::TriangleCost triangle = command.cost.triangle(library);
+  if (command.fit && command.cost.library != rtl::default_library)
+    throw std::runtime_error("--fit: a fit is priced by the default library alone");
   const bool named = !command.swept.names.empty();
-  const std::vector<const rtl::Design*> designs =
-      command.rows.empty() ? priced_by(library, command.swept.designs(sim::why_not_traced), named)
-                           : traced_designs();
-  const std::vector<sim::DesignFormats> formats = command.swept.formats(designs, sim::sweep_formats);
-  const std::vector<ReportUnit> units = report_units(formats, named);
-  std::vector<sim::SweepPoint> points;
+  std::vector<sim::DesignFormats> formats;
   if (command.rows.empty())
-    points = report_points(formats, units, command.intervals.empty() ? std::vector{1} : command.intervals,
-                           library);
+    formats = command.swept.formats(priced_by(library, command.swept.designs(sim::why_not_traced), named),
+                                    sim::sweep_formats);
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
-  const ref::Bvh bvh = ref::make_hierarchy(scene, command.hierarchy).bvh;
-  const sim::SweepOptions sweep{.width = command.scene.width,
-                                .height = command.scene.height,
-                                .threads = command.scene.threads,
-                                .light = command.light,
-                                .program = std::string(program_version()),
-                                .hierarchy = command.hierarchy.name(),
-                                .library = &library,
-                                .tests_only = command.cost.tests_only,
-                                .triangle = triangle,
-                                .progress = [&](double share) { progress->show(share); }};
-  progress.emplace("sweeping");
-  const fs::path rows_file = fs::path(command.out) / "rows.csv";
-  std::optional<LastLine> line;
-  if (command.rows.empty())
-    line.emplace(fmt::format("the same command goes on with the rows of {}", rows_file.string()));
-  std::vector<sim::SweepRow> rows = command.rows.empty()
-                                        ? sim::resume({.scene = &scene,
-                                                       .bvh = &bvh,
-                                                       .points = points,
-                                                       .options = sweep,
-                                                       .file = rows_file,
-                                                       .more = {}})
-                                        : take_rows(command.rows, sim::sweep_subject(scene, bvh, sweep));
-  // The rows of a sweep have the cost that it was told, unless the user says another one now.
-  if (command.cost.says_triangle())
-    for (sim::SweepRow& row : rows) row.triangle = triangle;
-
-  ReportFacts facts;
-  facts.version = program_and_sources();
-  facts.command = command_line(options);
-
-  facts.scene = scene.name;
-  facts.named = named;
-  facts.asked = asked(command, scene, bvh, rows);
-  facts.rows = rows;
-  facts.row_commands = sweep_commands(facts.rows, options_given(options, Given::of_sweep, command.hierarchy));
-  facts.seed = command.seed;
-  progress.emplace("drawing");
-  facts.diagrams = draw_diagrams(facts.rows, command.plots);
-  facts.schematics = draw_schematics(designs);
-  const std::string library_option =
-      command.cost.library == rtl::default_library
-          ? ""
-          : fmt::format(" --library {}", host::shell_word(command.cost.library));
-  facts.prices = report_prices(units, facts.rows, library);
-  facts.area_commands = price_commands(facts.prices, library_option);
-  progress.emplace("judging");
-  facts.stability = measure_stability(
-      units, {.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
-  facts.stiffness = measure_stiffness(
-      designs, {.tests = command.ratio_tests, .seed = command.seed, .threads = command.scene.threads});
-  facts.stiffness_command =
-      fmt::format("hitpipe check --stiff {}--tests {} --seed {} --out FOLDER",
-                  named ? conservative_names(facts.stiffness) : "", command.ratio_tests, command.seed);
-  if (!facts.stiffness.empty())
-    facts.stiffness_diagram.emplace(Diagrammed{
-        draw_picture("report", stiffness_picture(boxes_plot(facts.stiffness), command.plots), command.plots),
-        fmt::format("{} boxes for each ratio.", readable_number(std::to_string(command.ratio_tests)))});
-  progress.emplace("sweeping the integer world");
-  facts.world = world_rows({.design = &rtl::find_design("int_triangle"),
-                            .formats = usual_world_formats(),
-                            .mantissas = {world_mantissa},
-                            .scene = command.scene,
-                            .hierarchy = command.hierarchy,
-                            .light = command.light,
-                            .library = &library,
-                            .interval = 1},
-                           scene, [&](double share) { progress->show(share); });
-  facts.world_command =
-      fmt::format("hitpipe sweep int_triangle {}{} --mantissas {} --out integer_world.csv",
-                  options_given(options, Given::of_scene, command.hierarchy), library_option, world_mantissa);
-  facts.world_diagram = draw_world(facts.world, command.plots);
-  progress.emplace("tracing with cores");
-  facts.core =
-      measure_core(scene, {.library = &library,
-                           .library_option = library_option,
-                           .scene_options = options_given(options, Given::of_view, command.hierarchy),
-                           .hierarchy = command.hierarchy,
-                           .width = command.scene.width,
-                           .height = command.scene.height,
-                           .threads = command.scene.threads,
-                           .progress = [&](double share) { progress->show(share); }});
-  facts.core_diagrams = draw_core(scene.name, facts.core, command.plots);
-  progress.emplace("rendering");
-  facts.pictures = make_pictures(scene, bvh,
-                                 {.design = &command.image.design(),
-                                  .format = image_format,
-                                  .coarse = coarsest(facts.rows, command.image),
-                                  .library = &library,
-                                  .library_option = library_option,
-                                  .scene_options = options_given(options, Given::of_scene, command.hierarchy),
-                                  .width = command.scene.width,
-                                  .height = command.scene.height,
-                                  .threads = command.scene.threads,
-                                  .light = command.light,
-                                  .progress = [&](double share) { progress->show(share); }});
+  std::vector<sim::SweepRow> rows;
+  if (!command.rows.empty()) {
+    rows = take_rows(command, scene, library);
+    formats = formats_of(rows);
+  }
   progress.reset();
+  Row plan{{"program", fs::read_symlink("/proc/self/exe").string()},
+           {"version", program_and_sources()},
+           {"command", command_line(options)},
+           {"out", command.out},
+           {"threads", Row::array()},
+           {"plot_width_mm", command.plot_width_mm ? Row(*command.plot_width_mm) : Row(nullptr)},
+           {"format", command.format == OutputFormat::json  ? "json"
+                      : command.format == OutputFormat::csv ? "csv"
+                                                            : "text"},
+           {"scene", scene.name},
+           {"scene_file", fs::path(scene.name).stem().string()},
+           {"mesh", summary_of(scene_row(scene))},
+           {"hierarchy", command.hierarchy.text()},
+           {"machine", host::processor()},
+           {"notes", camera_notes(scene)},
+           {"width", command.scene.width},
+           {"height", command.scene.height},
+           {"sweep_options", options_given(options, Given::of_sweep, command.hierarchy)},
+           {"scene_options", options_given(options, Given::of_scene, command.hierarchy)},
+           {"view_options", options_given(options, Given::of_view, command.hierarchy)},
+           {"library_option", command.cost.library == rtl::default_library
+                                  ? ""
+                                  : "--library " + host::shell_word(command.cost.library)},
+           {"named", named},
+           {"rows_given", !command.rows.empty()},
+           {"bits", command.swept.bits},
+           {"intervals", command.intervals.empty() ? std::vector{1} : command.intervals},
+           {"tests", command.tests},
+           {"ratio_tests", command.ratio_tests},
+           {"seed", command.seed},
+           {"baseline", area::baseline_design().design},
+           {"image", image_row(command.image, formats)},
+           {"fit", command.fit},
+           {"fit_designs", Row::array()},
+           {"without", command.without}};
+  if (options.get_option("--threads")->count() > 0)
+    plan["threads"] = {"--threads", fmt::format("{}", command.scene.threads)};
+  for (const sim::DesignFormats& each : formats) {
+    plan["designs"].push_back(each.design->name);
+    if (sim::why_not_fitted(*each.design).empty()) plan["fit_designs"].push_back(each.design->name);
+  }
+  for (const rtl::Design* const design : traced_designs())
+    plan["catalogue"][std::string(design->name)] = facts_of(*design);
+  for (const area::Entry& entry : area::table_7_2())
+    plan["thesis"].push_back(rtl::find_design(entry.design).name_at(entry.format));
+  plan["priced_units"] = Row::array();
+  for (const auto& [design, format] : close_units(formats, named)) {
+    const Row unit = unit_row(*design, format);
+    plan["units"].push_back(unit);
+    if (sim::why_not_priced(*design, format, library).empty()) plan["priced_units"].push_back(unit);
+  }
+  if (!rows.empty()) {
+    host::make_folder(command.out);
+    host::write_file(fs::path(command.out) / "rows.csv", sim::to_csv(rows));
+  }
+  return plan;
+}
 
-  std::vector<host::File> files{{"rows.csv", sim::to_csv(rows)},
-                                {"pictures.csv", table_text(facts.pictures.rows, OutputFormat::csv)},
-                                {"pipelines.csv", table_text(pipeline_rows(facts), OutputFormat::csv)},
-                                {"stability.csv", table_text(stability_rows(facts), OutputFormat::csv)},
-                                {"integer_world.csv", table_text(facts.world, OutputFormat::csv)}};
-  if (!facts.stiffness.empty())
-    files.push_back({"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), OutputFormat::csv)});
-  if (!facts.core.rows.empty()) files.push_back({"core.csv", table_text(facts.core.rows, OutputFormat::csv)});
-  std::vector<CsvTable> tables;
-  for (const host::File& file : files)
-    if (file.name.ends_with(".csv")) tables.push_back(csv_table(file.name, file.contents));
-  Row notes = notes_of(options);
-  notes.update(camera_notes(scene));
-  files.push_back({"csv-metadata.json", csv_metadata(tables, notes)});
-  const auto add = [&](const Diagrammed& d) {
-    const std::vector<host::File> drawn = picture_files(d.picture);
-    files.insert(files.end(), drawn.begin(), drawn.end());
-  };
-  for (const auto& diagrams : {facts.diagrams, facts.core_diagrams})
-    std::for_each(diagrams.begin(), diagrams.end(), add);
-  if (facts.stiffness_diagram) add(*facts.stiffness_diagram);
-  add(facts.world_diagram);
-  files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());
-  files.push_back({"index.html", report_html(facts)});
-  host::write_files(command.out, files);
-
-  Wrong wrong = wrong_in(facts.rows);
-  wrong.rtl_mismatches += facts.pictures.rtl_mismatches;
-  wrong.different_triangles += facts.pictures.different_triangles;
-  wrong.different_pixels += facts.pictures.different_pixels;
-  for (const Stability& s : facts.stability)
-    wrong.false_misses += rtl::find_design(s.design).conservative ? s.all.false_misses : 0;
-  wrong.false_misses += wrong_answers(facts.stiffness);
-  wrong.core_answers = facts.core.wrong() + facts.core.other_reads();
-  const std::string page = (fs::path(command.out) / "index.html").string();
-  fmt::print("{}", record_text({{"page", page},
-                                {"rows", facts.rows.size()},
-                                {"false_misses", wrong.false_misses},
-                                {"rtl_mismatches", wrong.rtl_mismatches},
-                                {"different_triangles", wrong.different_triangles},
-                                {"different_pixels", wrong.different_pixels},
-                                {"wrong_core_answers", wrong.core_answers}},
-                               command.format));
-  if (facts.schematics.empty())
-    fmt::print(
-        stderr,
-        "hitpipe: the page has no schematics, because Graphviz's dot was not found; install the package "
-        "graphviz\n");
-  if (!wrong.any()) return 0;
-  fmt::print(stderr, "hitpipe: a count that must be 0 is not; see {}\n", page);
-  return 1;
+/// Becomes the program that makes the report, so that signals and the exit code are its own.
+void report(const ReportCommand& command, const CLI::App& options) {
+  std::vector<std::string> words = python_program("report", "report.py");
+  words.push_back(plan_of(command, options).dump());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  std::fflush(nullptr);
+  execvp(arguments.front(), arguments.data());
+  throw std::runtime_error(fmt::format("report: {}: {}", words.front(), std::strerror(errno)));
 }
 
 }  // namespace
 
-CLI::App* add_report_command(CLI::App& program, int& exit_code) {
+CLI::App* add_report_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command =
       program.add_subcommand("report", "Measure all designs on a scene: error against cost, as HTML");
   const auto options = std::make_shared<ReportCommand>();
@@ -351,14 +326,26 @@ CLI::App* add_report_command(CLI::App& program, int& exit_code) {
                              "which without it has 20000 (1 to 10^9)");
   add_seed_option(*command, options->seed);
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
-  add_plot_width_option(*command, options->plots);
+  add_plot_width_option(*command, options->plot_width_mm);
+  command->add_flag("--fit", options->fit,
+                    "Also fit each design to the scene, and show its unit beside the others");
+  add_list_option(*command, "--without", options->without,
+                  fmt::format("Leave out these sections: {}", fmt::join(sections, ", ")), "SECTION")
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            return std::ranges::find(sections, name) != sections.end()
+                       ? std::string()
+                       : fmt::format("no section {}; there are: {}", host::shortened(name),
+                                     fmt::join(sections, ", "));
+          },
+          ""));
   add_format_option(*command, options->format);
   add_examples(*command, {"hitpipe report --scene spheres --out report",
-                          "hitpipe report int_slabs,int_major --scene terrain --out report"});
-  command->callback([options, command, tests, &exit_code] {
+                          "hitpipe report int_slabs,int_major --scene terrain --without core --out report"});
+  command->callback([options, command, tests] {
     if (tests->count() > 0) options->ratio_tests = options->tests;
     options->hierarchy.build.threads = options->scene.threads;
-    exit_code = report(*options, *command);
+    report(*options, *command);
   });
   return command;
 }

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/report/python.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
@@ -46,20 +47,12 @@ void measure(const StiffCheck& command, const CountedScene* loaded, std::vector<
   }
 }
 
-void write(const StiffFindings& findings, const std::vector<Row>& rows, const StiffReport& report) {
+void write(const std::vector<Row>& rows, const StiffReport& report) {
   const std::string table = table_text(rows, OutputFormat::csv);
-  std::vector<host::File> files{
-      {"stiffness.csv", table},
-      {metadata_file("stiffness.csv").string(),
-       csv_metadata({csv_table("stiffness.csv", table)}, report.notes)},
-  };
-  const auto draw = [&](const Plot& plot) {
-    const std::vector<host::File> drawn =
-        picture_files(draw_picture("check", stiffness_picture(plot, report.pictures), report.pictures));
-    files.insert(files.end(), drawn.begin(), drawn.end());
-  };
-  draw(boxes_plot(findings.designs));
-  if (!findings.scene.empty()) draw(traversals_plot(findings.designs, findings.scene));
+  std::vector<host::File> files = stiffness_pictures(report.drawer, table, report.width_mm);
+  files.push_back({"stiffness.csv", table});
+  files.push_back({metadata_file("stiffness.csv").string(),
+                   csv_metadata({csv_table("stiffness.csv", table)}, report.notes)});
   host::write_files(report.out, files);
 }
 
@@ -213,7 +206,7 @@ StiffFindings parse_stiff_findings(const Row& row) {
 int report_findings(const StiffFindings& findings, const StiffReport& report) {
   const std::vector<MeasuredDesign>& designs = findings.designs;
   std::vector<Row> rows = stiffness_rows(designs, findings.scene);
-  if (!report.out.empty()) write(findings, rows, report);
+  if (!report.out.empty()) write(rows, report);
   if (report.format == OutputFormat::json)
     for (Row& row : rows) row.update(findings.mesh);
   fmt::print("{}", report.format == OutputFormat::text ? stiffness_text(designs, findings.scene)

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/options/design_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
-#include "cli/report/picture.hpp"
 #include "cli/text/stiffness_report.hpp"
 #include "cli/text/table.hpp"
 #include "host/piece.hpp"
@@ -52,8 +52,9 @@ struct StiffFindings {
 [[nodiscard]] StiffFindings parse_stiff_findings(const Row& row);
 
 struct StiffReport {
-  std::string out;  ///< a folder; empty: nothing is written
-  PictureForm pictures = page_form;
+  std::string out;                  ///< a folder; empty: nothing is written
+  std::optional<double> width_mm;   ///< of pictures
+  std::vector<std::string> drawer;  ///< the program that draws; needed if there is a folder
   OutputFormat format = OutputFormat::text;
   Row notes;  ///< they go into the folder, beside the rows
 };

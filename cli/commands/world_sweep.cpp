@@ -1,6 +1,7 @@
 #include "cli/commands/world_sweep.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -102,22 +103,23 @@ std::string text_of(const std::vector<Row>& rows) {
   return text;
 }
 
+/// The rows of the sweep: for each format and each p, what the bits change and cost.
+std::vector<Row> world_rows(const WorldSweep& command, const ref::Scene& scene,
+                            const std::function<void(double)>& progress) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < command.formats.size(); ++i) {
+    progress(static_cast<double>(i) / static_cast<double>(command.formats.size()));
+    for (Row& row : rows_of(command, scene, command.formats[i])) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<rtl::Format> usual_world_formats() {
   std::vector<rtl::Format> formats;
   for (const int n : {16, 18, 20, 22, 24}) formats.emplace_back(hls::WorldBits{n, 1, n});
   return formats;
-}
-
-std::vector<Row> world_rows(const WorldSweep& command, const ref::Scene& scene,
-                            const std::function<void(double)>& progress) {
-  std::vector<Row> rows;
-  for (std::size_t i = 0; i < command.formats.size(); ++i) {
-    if (progress) progress(static_cast<double>(i) / static_cast<double>(command.formats.size()));
-    for (Row& row : rows_of(command, scene, command.formats[i])) rows.push_back(std::move(row));
-  }
-  return rows;
 }
 
 WorldFindings sweep_world(const WorldSweep& command, Row notes) {

@@ -1,7 +1,6 @@
 // `sweep` of a triangle unit: what the bits of the integer world cost and change.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,10 +33,6 @@ struct WorldFindings {
 
 /// n = 16, 18, 20, 22 and 24 with a finer bit, and as many bits of a slope.
 [[nodiscard]] std::vector<rtl::Format> usual_world_formats();
-
-/// The rows of the sweep: for each format and each p, what the bits change and cost.
-[[nodiscard]] std::vector<Row> world_rows(const WorldSweep& command, const ref::Scene& scene,
-                                          const std::function<void(double)>& progress = {});
 
 /// Reads the scene and measures. The camera is added to the notes.
 [[nodiscard]] WorldFindings sweep_world(const WorldSweep& command, Row notes);

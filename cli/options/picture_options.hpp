@@ -1,13 +1,15 @@
 // How wide the plots of a command are.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
 
-#include "cli/report/picture.hpp"
+#include <CLI/CLI.hpp>
 
 namespace hitpipe::cli {
 
-/// --plot-width, with a unit: for a paper. Without it `form` stays.
-CLI::Option* add_plot_width_option(CLI::App& command, PictureForm& form, const std::string& when = "");
+/// --plot-width, with a unit: for a paper.
+CLI::Option* add_plot_width_option(CLI::App& command, std::optional<double>& width_mm,
+                                   const std::string& when = "");
 
 }  // namespace hitpipe::cli

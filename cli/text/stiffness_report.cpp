@@ -54,30 +54,6 @@ std::string text_of(const MeasuredDesign& d, Percent percent, PercentInterval in
   return fmt::format("{}: {}\n{}", d.design->name, what, table_text(rows, OutputFormat::text));
 }
 
-Plot plot_of(const std::vector<MeasuredDesign>& designs, Percent percent, std::string name, std::string title,
-             std::string counted) {
-  Plot plot{.name = std::move(name),
-            .title = std::move(title),
-            .counted = std::move(counted),
-            .exponents = {},
-            .panels = {},
-            .least = 0.01};
-  for (const sim::Stiffness stiffness : sim::stiffnesses()) {
-    if (stiffness) plot.exponents.push_back(*stiffness);
-  }
-  const auto line_of = [&](const Measured& m) {
-    PlotLine line{rtl::to_string(m.format), {}};
-    for (std::size_t i = 0; i < sim::stiffnesses().size(); ++i) line.percent.push_back(percent(m, i));
-    return line;
-  };
-  for (const MeasuredDesign& d : designs) {
-    PlotPanel panel{std::string(d.design->name), {}};
-    for (const Measured& m : d.formats) panel.lines.push_back(line_of(m));
-    plot.panels.push_back(std::move(panel));
-  }
-  return plot;
-}
-
 }  // namespace
 
 std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs, const std::string& scene) {
@@ -140,17 +116,6 @@ std::string stiffness_text(const std::vector<MeasuredDesign>& designs, const std
   text += fmt::format("\n{} tests{} a ratio; +-95 %: half the width of the 95 % interval\n",
                       any.all_boxes.front().tests, rays);
   return text;
-}
-
-Plot boxes_plot(const std::vector<MeasuredDesign>& designs) {
-  return plot_of(designs, boxes_pct, "stiffness", "False hits on stiff rays",
-                 "false hits of the boxes that rays miss");
-}
-
-Plot traversals_plot(const std::vector<MeasuredDesign>& designs, const std::string& scene) {
-  return plot_of(designs, traversals_pct, "stiffness_scene",
-                 fmt::format("Box tests of stiff rays on {}", scene),
-                 "box tests above conservative float slabs");
 }
 
 std::uint64_t wrong_answers(const std::vector<MeasuredDesign>& designs) {

@@ -1,11 +1,10 @@
-// What a stiffness report prints and draws: rows for CSV and JSON, tables of 80 columns, plots.
+// What a stiffness report prints: rows for CSV and JSON, tables of 80 columns.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "cli/report/stiffness_plot.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/stiffness.hpp"
@@ -33,9 +32,6 @@ struct MeasuredDesign {
 /// number of samples below.
 [[nodiscard]] std::string stiffness_text(const std::vector<MeasuredDesign>& designs,
                                          const std::string& scene);
-
-[[nodiscard]] Plot boxes_plot(const std::vector<MeasuredDesign>& designs);
-[[nodiscard]] Plot traversals_plot(const std::vector<MeasuredDesign>& designs, const std::string& scene);
 
 /// False misses and other triangles of conservative designs. There must be none.
 [[nodiscard]] std::uint64_t wrong_answers(const std::vector<MeasuredDesign>& designs);

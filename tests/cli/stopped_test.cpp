@@ -86,7 +86,8 @@ TEST_P(StoppedOnce, ReportSaysThatItGoesOn) {
       "report int_slabs --bits 6/6 --scene spheres --width 8 --height 8 --out " + file("out"), GetParam());
   EXPECT_EQ(outcome.exit_code, -1);
   EXPECT_EQ(outcome.err,
-            "hitpipe: stopped; the same command goes on with the rows of " + file("out/rows.csv") + "\n");
+            "hitpipe: stopped; the same command goes on with the rows of " + file("out/rows.csv") +
+                "\nhitpipe: stopped; the same command keeps what is done in " + file("out") + "\n");
 }
 
 INSTANTIATE_TEST_SUITE_P(Signal, StoppedOnce, testing::Values(SIGINT),

@@ -177,8 +177,18 @@ TEST_F(WrongFiles, Tools) {
            {{"VERILATOR", verilator}, {"HITPIPE_CACHE", filled("DIR/cache")}});
   rejected(cosim, "DIR/file/cache: cannot write to the cache; set HITPIPE_CACHE to another folder",
            {{"HITPIPE_CACHE", filled("DIR/file/cache")}});
+  rejected(
+      {"check", "--stiff", "int_slabs", "--bits", "12/12", "--tests", "60", "--out", "OUT"},
+      "check: no python3 with matplotlib and jinja2 was found; install the packages python3-matplotlib and "
+      "python3-jinja2 or set PYTHON to the program",
+      {{"PYTHON", "/bin/false"}});
+  const std::string python =
+      folder_
+          .write_program("python",
+                         "#!/bin/sh\ncase \"$*\" in *find_spec*) exit;; esac\necho no >&2\nexit 3\n")
+          .string();
   rejected({"check", "--stiff", "int_slabs", "--bits", "12/12", "--tests", "60", "--out", "OUT"},
-           "check: gnuplot was not found; install the package gnuplot-nox", {{"PATH", filled("DIR")}});
+           "check: " + python + " failed with exit code 3: no", {{"PYTHON", python}});
   // Nothing here needs a temporary folder before it is asked to draw.
   EXPECT_EQ(run_hitpipe(cosim, {{"TMPDIR", "/nonexistent"}}).exit_code, 0);
 }

@@ -6,10 +6,10 @@ source=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$source"
-cp --parents -t "$folder" README.md docs/measured/{chips,scenes,stiffness,units}.md docs/measured/stiffness.svg
+cp --parents -t "$folder" README.md docs/measured/{chips,scenes,stiffness,units}.md docs/measured/stiffness.csv
 "$source/docs/stiffness.sh" "$program" "$folder/docs/measured"
 "$source/docs/units.py" "$program" "$folder"
-for page in README.md docs/measured/{stiffness,units}.md docs/measured/stiffness.svg; do
+for page in README.md docs/measured/{stiffness,units}.md docs/measured/stiffness.csv; do
   diff "$source/$page" "$folder/$page" || { echo "$page is stale; run docs/stiffness.sh and docs/units.py"; exit 1; }
 done
 for part in boxes traversals; do

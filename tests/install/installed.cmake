@@ -7,6 +7,16 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX})
 run(${PREFIX}/bin/hitpipe --version)
 run(${PREFIX}/bin/hitpipe area int_slabs)
 
+# It draws by the Python programs that are installed beside it.
+if(NOT EXISTS ${PREFIX}/share/hitpipe/report/report.py OR NOT EXISTS ${PREFIX}/share/hitpipe/report/page.html.j2)
+  message(FATAL_ERROR "the programs of the report are not installed")
+endif()
+run(${PREFIX}/bin/hitpipe check --stiff int_slabs --bits 12/12 --tests 60 --out ${PREFIX}/drawn)
+file(SIZE ${PREFIX}/drawn/stiffness.pdf size)
+if(size LESS 2000)
+  message(FATAL_ERROR "stiffness.pdf has ${size} bytes")
+endif()
+
 # No path of the machine that built them is in them. A tree in /hitpipe is no part of "lib/hitpipe/".
 file(GLOB_RECURSE binaries ${PREFIX}/bin/hitpipe ${PREFIX}/lib/*.so)
 list(LENGTH binaries count)

@@ -345,16 +345,19 @@ TEST(CheckStiff, CountsBoxTestsOfASceneAndWritesRowsAndPlots) {
               testing::MatchesRegex(
                   "int_slabs,n16/16,inf,spheres,[0-9]+,,,,,,,20,[0-9]+,[0-9.]+,-?[0-9.]+,[0-9.]+,0"));
   EXPECT_EQ(files_below(out),
-            (std::vector<std::string>{"stiffness.csv", "stiffness.csv-metadata.json", "stiffness.gp",
-                                      "stiffness.pdf", "stiffness.svg", "stiffness_scene.gp",
-                                      "stiffness_scene.pdf", "stiffness_scene.svg"}));
+            (std::vector<std::string>{"stiffness.csv", "stiffness.csv-metadata.json", "stiffness.pdf",
+                                      "stiffness.png", "stiffness.svg", "stiffness_scene.pdf",
+                                      "stiffness_scene.png", "stiffness_scene.svg"}));
   EXPECT_EQ(contents_of(out + "/stiffness.csv"), csv);
-  for (const char* const word : {"<?xml", "width=\"800\"", "int_slabs", "16/16", "zero",
+  for (const char* const word : {"<?xml", "width=\"272.", "int_slabs", "16/16", "zero",
                                  "ratio of direction components", ">false hits of "})
     EXPECT_THAT(contents_of(out + "/stiffness.svg"), HasSubstr(word));
   EXPECT_THAT(contents_of(out + "/stiffness_scene.svg"), HasSubstr(">box tests above conservative "));
-  EXPECT_THAT(contents_of(out + "/stiffness_scene.gp"),
-              testing::StartsWith("# Box tests of stiff rays on spheres\n"));
+  EXPECT_THAT(contents_of(out + "/stiffness_scene.svg"),
+              HasSubstr("<dc:title>Box tests of stiff rays on spheres</dc:title>"));
+  const std::string svg = contents_of(out + "/stiffness.svg");
+  printed("check --stiff int_slabs --bits 16/16 --tests 60 --scene spheres --rays 20 --out " + out);
+  EXPECT_EQ(contents_of(out + "/stiffness.svg"), svg);
 }
 
 TEST(CheckStiff, PlotsForAPaperHaveItsWidth) {
@@ -362,15 +365,15 @@ TEST(CheckStiff, PlotsForAPaperHaveItsWidth) {
   const std::string out = (folder.path() / "out").string();
   const auto drawn = [&](const std::string& width) {
     printed("check --stiff int_slabs --bits 16/16 --tests 60 --plot-width " + width + " --out " + out);
-    return contents_of(out + "/stiffness.gp");
+    return contents_of(out + "/stiffness.svg");
   };
-  EXPECT_THAT(drawn("84mm"), testing::AllOf(HasSubstr("set terminal svg size 317,"),
-                                            HasSubstr("set terminal pdfcairo size 8.4000cm,"),
-                                            HasSubstr("font 'sans-serif,8'")));
-  EXPECT_THAT(drawn("3.5in"), HasSubstr("set terminal svg size 336,"));
-  EXPECT_THAT(drawn("240pt"), HasSubstr("set terminal svg size 320,"));
-  EXPECT_THAT(drawn("40mm"), HasSubstr("set terminal svg size 151,"));
-  EXPECT_THAT(drawn("400mm"), HasSubstr("set terminal svg size 1512,"));
+  EXPECT_THAT(drawn("84mm"),
+              testing::AllOf(HasSubstr("<svg "), HasSubstr(" width=\"238.1102"), HasSubstr("font: 8px ")));
+  EXPECT_THAT(contents_of(out + "/stiffness.pdf"), HasSubstr("/MediaBox [ 0 0 238.1102"));
+  EXPECT_THAT(drawn("3.5in"), HasSubstr(" width=\"252pt\""));
+  EXPECT_THAT(drawn("240pt"), HasSubstr(" width=\"240pt\""));
+  EXPECT_THAT(drawn("40mm"), HasSubstr(" width=\"113.3858"));
+  EXPECT_THAT(drawn("400mm"), HasSubstr(" width=\"1133.858"));
 }
 
 TEST(CheckStiff, WrongPlotWidthRejected) {

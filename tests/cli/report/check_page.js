@@ -28,14 +28,26 @@ window.addEventListener('load', () => {
     if (element.closest('.scroll') || element.closest('details')) continue;
     if (element.getBoundingClientRect().right > root.clientWidth) faults.push('cut: ' + element.outerHTML.slice(0, 80));
   }
-  // A plot takes the width of a large window.
-  const plot = document.querySelector('.plot svg').getBoundingClientRect();
-  if (innerWidth >= 1280 && plot.width < 0.95 * root.clientWidth) faults.push('plot of a width of ' + plot.width);
-  // Texts of a plot do not lie on one another. gnuplot writes a boxed text twice, at the same place.
+  // Several plots stand side by side in a large window, one takes the whole width of a telephone.
+  const plots = [...document.querySelectorAll('#error ~ .plots svg')].map((plot) => plot.getBoundingClientRect());
+  const beside = plots.filter((plot) => Math.abs(plot.top - plots[0].top) < 1).length;
+  if (beside !== (innerWidth >= 1280 ? 3 : 1)) faults.push('plots side by side: ' + beside);
+  // Letters of a plot are no smaller than 8 pt, as it is printed.
+  for (const text of document.querySelectorAll('.plot svg text')) {
+    const letters = parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a;
+    const upright = Math.hypot(text.getScreenCTM().a, text.getScreenCTM().b);
+    if (upright > 0 && letters > 0 && letters < 9.9 && !text.querySelector('tspan')) faults.push(`small letters, ${letters}: ${text.textContent}`);
+  }
+  // Each section begins with a sentence and ends with commands.
+  for (const section of document.querySelectorAll('section')) {
+    const lead = section.children[1];
+    if (!lead.matches('.lead') || !/^[A-Z].{20,}[.]$/.test(lead.textContent)) faults.push('no sentence: ' + section.children[0].textContent);
+    if (!/^hitpipe /.test(section.lastElementChild.textContent)) faults.push('no command: ' + section.children[0].textContent);
+  }
+  // Texts of a plot do not lie on one another.
   for (const svg of document.querySelectorAll('.plot svg')) {
     const texts = [...svg.querySelectorAll('text')].map((text) => [text.textContent, text.getBoundingClientRect()]);
     texts.forEach(([text, a], i) => texts.slice(0, i).forEach(([other, b]) => {
-      if (text === other && Math.abs(a.left - b.left) < 1 && Math.abs(a.top - b.top) < 1) return;
       const width = Math.min(a.right, b.right) - Math.max(a.left, b.left);
       const height = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
       if (width > 1 && height > 3) faults.push(`in ${svg.getAttribute('aria-label')}: "${text}" lies on "${other}"`);

@@ -1,11 +1,9 @@
-#include "cli/report/sweep_rows.hpp"
+#include "cli/text/sweep_rows.hpp"
 
 #include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
-
-#include "area_model/price.hpp"
 
 namespace hitpipe::cli {
 
@@ -14,37 +12,25 @@ namespace {
 using Rows = std::span<const sim::SweepRow>;
 using Cost = double (sim::SweepRow::*)() const;
 
-std::optional<std::size_t> least(Rows rows, int rays_in_flight, double most_extra_pct, Cost cost) {
+std::optional<std::size_t> least(Rows rows, int rays_in_flight, Cost cost) {
   std::optional<std::size_t> best;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const sim::SweepRow& unit = rows[row];
-    if (unit.rays_in_flight != rays_in_flight || unit.extra_box_tests_pct() > most_extra_pct) continue;
+    if (unit.rays_in_flight != rays_in_flight) continue;
     if (!best || (unit.*cost)() < (rows[*best].*cost)()) best = row;
   }
   return best;
 }
 
-}  // namespace
-
+/// "int_slabs 20/24 II 3" at an interval of 3 cycles.
 std::string unit_name(const sim::SweepRow& row) {
   const rtl::Design& design = rtl::find_design(row.design);
   const std::string name = design.name_at(design.parse_format(row.bits));
   return row.interval == 1 ? name : fmt::format("{} II {}", name, row.interval);
 }
 
-bool is_thesis_unit(const sim::SweepRow& row) {
-  if (row.interval != 1) return false;
-  const auto& six = area::table_7_2();
-  return std::any_of(six.begin(), six.end(), [&](const area::Entry& entry) {
-    return entry.design == row.design && rtl::to_string(entry.format) == row.bits;
-  });
-}
-
-std::string cell(const sim::SweepRow& row, std::string_view column) {
-  return sim::sweep_column(column).cell(row);
-}
-
-int usual_rays_in_flight(std::span<const sim::SweepRow> rows) {
+/// The number that most rows have; the greatest of several equally frequent ones.
+int usual_rays_in_flight(Rows rows) {
   std::map<int, int> rows_with;
   for (const sim::SweepRow& row : rows) ++rows_with[row.rays_in_flight];
   int usual = 0;
@@ -54,42 +40,12 @@ int usual_rays_in_flight(std::span<const sim::SweepRow> rows) {
   return usual;
 }
 
-Wrong wrong_in(std::span<const sim::SweepRow> rows) {
-  Wrong wrong;
-  for (const sim::SweepRow& row : rows) {
-    wrong.false_misses += rtl::find_design(row.design).conservative ? row.false_misses : 0;
-    wrong.rtl_mismatches += row.rtl_mismatches;
-    wrong.different_triangles += row.different_triangles;
-    wrong.different_pixels += row.different_pixels;
-  }
-  return wrong;
-}
-
-std::optional<std::size_t> cheapest(Rows rows, int rays_in_flight, double most_extra_box_tests_pct) {
-  return least(rows, rays_in_flight, most_extra_box_tests_pct, &sim::SweepRow::whole_area_run_time);
-}
-
-std::optional<std::size_t> cheapest_boxes(Rows rows, int rays_in_flight) {
-  return least(rows, rays_in_flight, no_limit, &sim::SweepRow::area_run_time);
-}
-
-std::vector<NamedRow> best_rows(Rows rows) {
-  const int rays = usual_rays_in_flight(rows);
-  std::vector<NamedRow> best;
-  for (const double percent : {0.1, 1.0, 10.0}) {
-    if (const auto row = cheapest(rows, rays, percent))
-      best.push_back(
-          {fmt::format("Least whole area × run time, at most {:g} % extra box tests", percent), *row});
-  }
-  if (const auto row = cheapest(rows, rays)) best.push_back({"Least whole area × run time of all", *row});
-  if (const auto row = cheapest_boxes(rows, rays))
-    best.push_back({"Least by box tests alone, as the thesis compares", *row});
-  return best;
-}
-
+/// "mm²", or "LUT" on a chip.
 std::string area_unit(const sim::SweepRow& row) {
   return row.on_chip() ? "LUT" : "mm²";
 }
+
+}  // namespace
 
 std::string cost_text(const sim::SweepRow& row) {
   const std::optional<double> energy = row.energy_nj_per_ray();
@@ -102,11 +58,11 @@ std::string cost_text(const sim::SweepRow& row) {
 
 std::vector<std::string> recommendation(Rows rows) {
   const int rays = usual_rays_in_flight(rows);
-  const std::optional<std::size_t> whole = cheapest(rows, rays);
+  const std::optional<std::size_t> whole = least(rows, rays, &sim::SweepRow::whole_area_run_time);
   if (!whole) return {};
   std::vector<std::string> lines{
       fmt::format("Least whole area × time: {}: {}.", unit_name(rows[*whole]), cost_text(rows[*whole]))};
-  const std::size_t boxes = *cheapest_boxes(rows, rays);
+  const std::size_t boxes = *least(rows, rays, &sim::SweepRow::area_run_time);
   if (boxes == *whole) return lines;
   const double more = 100.0 * (rows[boxes].whole_area_run_time() / rows[*whole].whole_area_run_time() - 1.0);
   lines.push_back(fmt::format("By box tests alone it would be {}, which costs {:.3g} % more as a whole: {}.",
