@@ -25,8 +25,7 @@ constexpr std::array<std::string_view, 8> scenes_of_appendix{
     "Powerplant-Boiler", "Lucy"};
 
 struct Step {
-  double render_seconds;
-  double build_seconds;
+  std::vector<double> render_seconds, build_seconds;  ///< of each run
   double nodes;
 };
 
@@ -43,10 +42,14 @@ std::map<int, Step> measured(const Scene& scene, const ExperimentOptions& option
   sweep_max_triangles(scene.mesh, building, [&](const SweepStep& step) {
     const Measurement measurement =
         measure(*make_tracer(scene.mesh, step.bvh, tracing), batches, options.repeats);
-    steps[step.max_triangles] = {measurement.seconds, step.build_seconds,
-                                 static_cast<double>(step.bvh.nodes.size())};
+    steps[step.max_triangles] = {
+        measurement.seconds, {step.build_seconds}, static_cast<double>(step.bvh.nodes.size())};
     options.progress(static_cast<double>(steps.size()) / static_cast<double>(appendix_b_sizes.size()));
   });
+  for (int run = 1; run < options.repeats; ++run)
+    sweep_max_triangles(scene.mesh, building, [&](const SweepStep& step) {
+      steps.at(step.max_triangles).build_seconds.push_back(step.build_seconds);
+    });
   return steps;
 }
 
@@ -80,8 +83,11 @@ ResultTable leaf_sizes(std::string_view number, const ExperimentOptions& options
                               thesis.number("bvh_nodes")}});
     if (!scene) continue;
     const Step& step = steps.at(size);
-    row.ours = {step.render_seconds / steps.at(unit_size).render_seconds,
-                step.build_seconds / steps.at(unit_size).build_seconds, step.nodes};
+    const Step& of_unit = steps.at(unit_size);
+    const ref::Middle render = ref::middle_ratio(step.render_seconds, of_unit.render_seconds);
+    const ref::Middle build = ref::middle_ratio(step.build_seconds, of_unit.build_seconds);
+    row.ours = {render.median, build.median, step.nodes};
+    row.intervals = {render.interval, build.interval, std::nullopt};
   }
   if (scene) {
     const auto row_of = [&](int size) -> const ResultRow& {
@@ -107,8 +113,9 @@ ResultTable leaf_sizes(std::string_view number, const ExperimentOptions& options
                                 *row_of(2).printed[2] / *unit.number("bvh_nodes"),
                                 steps.at(2).nodes / steps.at(unit_size).nodes}}});
   }
-  table.notes.push_back(fmt::format("{} x {} pixels, traversal alone, the fastest of {} runs on one thread",
+  table.notes.push_back(fmt::format("{} x {} pixels, traversal alone, the median of {} runs on one thread",
                                     options.width, options.height, options.repeats));
+  if (options.repeats >= runs_of_interval) table.notes.emplace_back(interval_note);
   return table;
 }
 

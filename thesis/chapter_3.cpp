@@ -23,16 +23,15 @@ constexpr std::array<std::string_view, 3> printed_columns{"time_hit0M_miss50M_s"
 constexpr double printed_half_unit = 0.05;        // seconds
 constexpr std::string_view unit_variant = "plu";  // its time at 50 % hits is 1
 
-/// Seconds by variant and share of hits, the fastest run of each.
-using Times = std::map<std::pair<std::string_view, int>, double>;
+/// Seconds of each run by variant and share of hits.
+using Times = std::map<std::pair<std::string_view, int>, std::vector<double>>;
 
 Times measured(int precision_bits, const ExperimentOptions& options) {
   Times times;
   for (int run = 0; run < options.repeats; ++run) {
     for (const BoxTestTiming& timing : time_box_tests(pair_count, rounds)) {
       if (timing.precision_bits != precision_bits) continue;
-      const auto [entry, is_new] = times.try_emplace({timing.variant, timing.hit_percent}, timing.seconds);
-      entry->second = std::min(entry->second, timing.seconds);
+      times[{timing.variant, timing.hit_percent}].push_back(timing.seconds);
     }
     options.progress((run + 1.0) / options.repeats);
   }
@@ -47,10 +46,11 @@ Finding compared(const Times& times, const PrintedTable& printed, const std::str
     const int percent = hit_percents.at(i);
     const double a = *printed.find({faster})->number(printed_columns.at(i));
     const double b = *printed.find({slower})->number(printed_columns.at(i));
+    const ref::Middle by_runs = ref::middle_ratio(times.at({slower, percent}), times.at({faster, percent}));
     finding.figures.push_back({fmt::format("{} faster than {} at {} % hits, %", faster, slower, percent),
-                               100 * (b / a - 1),
-                               100 * (times.at({slower, percent}) / times.at({faster, percent}) - 1),
-                               100 * b / a * (printed_half_unit / a + printed_half_unit / b)});
+                               100 * (b / a - 1), 100 * (by_runs.median - 1),
+                               100 * b / a * (printed_half_unit / a + printed_half_unit / b),
+                               percent_more(by_runs)});
   }
   return finding;
 }
@@ -67,7 +67,7 @@ ResultTable box_test_times(std::string_view number, const ExperimentOptions& opt
                             precision_bits, unit_variant);
   table.labels = {"variant"};
   for (const int percent : hit_percents) table.columns.push_back({fmt::format("hit_{}_pct", percent), 2});
-  const double unit = times.at({unit_variant, 50});
+  const std::vector<double>& unit = times.at({unit_variant, 50});
   const double printed_unit = *printed.find({unit_variant})->number(printed_columns[1]);
   const auto variants = box_test_variants<float>();
   for (const BoxTestVariant& variant : variants) {
@@ -75,7 +75,9 @@ ResultTable box_test_times(std::string_view number, const ExperimentOptions& opt
     if (variant.name == unit_variant) row.unit = 1;
     const PrintedRow* const thesis = printed.find({variant.name});
     for (std::size_t i = 0; i < hit_percents.size(); ++i) {
-      row.ours.emplace_back(times.at({variant.name, hit_percents[i]}) / unit);
+      const ref::Middle ratio = ref::middle_ratio(times.at({variant.name, hit_percents[i]}), unit);
+      row.ours.emplace_back(ratio.median);
+      row.intervals.push_back(ratio.interval);
       row.printed.push_back(thesis == nullptr
                                 ? std::nullopt
                                 : std::optional(*thesis->number(printed_columns[i]) / printed_unit));
@@ -91,8 +93,9 @@ ResultTable box_test_times(std::string_view number, const ExperimentOptions& opt
   add("eight cases make slabs faster", "slabs8-mul", "slabs-mul");
   add("stored coefficients make Pluecker a few percent faster", "plu-cff", "plu");
   add("the separating axis test is as fast as Pluecker", "sat", "plu");
-  table.notes.push_back(fmt::format("{} pairs, {} times, the fastest of {} runs; woo is not in the thesis",
+  table.notes.push_back(fmt::format("{} pairs, {} times, the median of {} runs; woo is not in the thesis",
                                     pair_count, rounds, options.repeats));
+  if (options.repeats >= runs_of_interval) table.notes.emplace_back(interval_note);
   return table;
 }
 

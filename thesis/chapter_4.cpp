@@ -126,12 +126,15 @@ ResultTable traversal_times(std::string_view number, const ExperimentOptions& op
     if (scene) {
       const Bvh bvh = build_bvh(scene->mesh);
       const std::vector<RecordedBatch> batches = record_rays(*scene, bvh, options.width, options.height, 1);
-      double unit = 0;
+      std::vector<double> unit;
+      times.intervals.resize(all.size());
       for (std::size_t c = 0; c < all.size(); ++c) {
         const Measurement measurement = run(*scene, bvh, batches, all[c].algorithm, options.repeats);
         if (c == 0) unit = measurement.seconds;
         const TraceCounts total = measurement.counts.total();
-        times.ours[c] = measurement.seconds / unit;
+        const ref::Middle ratio = ref::middle_ratio(measurement.seconds, unit);
+        times.ours[c] = ratio.median;
+        if (c > 0) times.intervals[c] = ratio.interval;
         boxes.ours[c] = static_cast<double>(total.box_tests) / static_cast<double>(total.rays);
         rays += total.rays;
         different += measurement.different;
@@ -143,10 +146,11 @@ ResultTable traversal_times(std::string_view number, const ExperimentOptions& op
   }
   table.findings = chapter_4_findings(table);
   table.notes.push_back(
-      fmt::format("{} x {} pixels, all rays, without shading; the fastest of {} runs on one thread. {} of {} "
+      fmt::format("{} x {} pixels, all rays, without shading; the median of {} runs on one thread. {} of {} "
                   "rays differ from "
                   "the exact triangle test",
                   options.width, options.height, options.repeats, different, rays));
+  if (options.repeats >= runs_of_interval) table.notes.emplace_back(interval_note);
   return table;
 }
 

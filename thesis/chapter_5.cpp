@@ -21,7 +21,7 @@ namespace {
 /// The work and time of one encoding for one scene.
 struct Encoded {
   Measurement work;
-  double seconds_with_table = 0;
+  std::vector<double> seconds_with_table;
   double bytes = 0;
 };
 
@@ -30,7 +30,7 @@ constexpr std::array encodings{Encoding::plain, Encoding::hierarchical_4, Encodi
 struct SceneResult {
   std::vector<RecordedBatch> batches;
   std::array<Encoded, encodings.size()> by_encoding;
-  std::optional<double> single_seconds;  ///< single rays through binary32 nodes, for bundles of 64
+  std::vector<double> single_seconds;  ///< single rays through binary32 nodes, for bundles of 64
 };
 
 int bundle_of(std::string_view number) {
@@ -76,8 +76,6 @@ SceneResult run(const Scene& scene, int bundle, const ExperimentOptions& options
 /// the scene has no such rays.
 std::optional<double> value(const Encoded& encoded, const std::string& metric) {
   if (metric == "bvh_memory") return encoded.bytes;
-  if (metric == "time") return encoded.work.seconds;
-  if (metric == "time_lut") return encoded.seconds_with_table;
   return per_ray(encoded.work.counts, metric);
 }
 
@@ -85,17 +83,34 @@ bool is_time(const std::string& metric) {
   return metric.starts_with("time");
 }
 
-/// The float value, then memory as a value and everything else as an increase in percent. For times the float
-/// value is 1.
+/// Seconds of each run.
+const std::vector<double>& times(const Encoded& encoded, const std::string& metric) {
+  return metric == "time_lut" ? encoded.seconds_with_table : encoded.work.seconds;
+}
+
+/// For times the float value is 1.
+void fill_times(const SceneResult& scene, const std::string& metric, ResultRow& row) {
+  row.ours[0] = 1.0;
+  row.intervals.resize(encodings.size());
+  for (std::size_t i = 1; i < encodings.size(); ++i) {
+    const ref::Middle ratio =
+        ref::middle_ratio(times(scene.by_encoding.at(i), metric), times(scene.by_encoding[0], metric));
+    row.ours[i] = 100.0 * (ratio.median - 1.0);
+    row.intervals[i] = percent_more(ratio);
+  }
+}
+
+/// The float value, then memory as a value and everything else as an increase in percent.
 void fill_ours(const SceneResult& scene, const std::string& metric, ResultRow& row) {
+  if (is_time(metric)) return fill_times(scene, metric, row);
   const std::optional<double> plain = value(scene.by_encoding[0], metric);
   if (!plain) return;
-  row.ours[0] = is_time(metric) ? 1.0 : *plain;
+  row.ours[0] = *plain;
   for (std::size_t i = 1; i < encodings.size(); ++i) {
     const Encoded& of = scene.by_encoding.at(i);
     const double encoded = *value(of, metric);
     row.ours[i] = metric == "bvh_memory" ? encoded : 100.0 * (encoded / *plain - 1.0);
-    if (metric == "bvh_memory" || is_time(metric)) continue;
+    if (metric == "bvh_memory") continue;
     const GroupedRatio factor =
         ratio_by_tile(scene.batches, kind_of(metric), count_of(metric), of.work, scene.by_encoding[0].work);
     row.intervals.resize(encodings.size());
@@ -231,21 +246,23 @@ ResultTable hierarchical_encoding(std::string_view number, const ExperimentOptio
         rays += encoded.work.counts.total().rays;
         different += encoded.work.different;
       }
-      if (result->single_seconds)
+      if (!result->single_seconds.empty())
         bundled.emplace_back(
             100 *
                 (printed_single_seconds(scenes[i]) / *printed.find({scenes[i], "time"})->number("fp32") - 1),
-            100 * (*result->single_seconds / result->by_encoding[0].work.seconds - 1));
+            100 *
+                (ref::middle_ratio(result->single_seconds, result->by_encoding[0].work.seconds).median - 1));
     }
     options.progress(static_cast<double>(i + 1) / static_cast<double>(scenes.size()));
   }
   if (rays > 0) table.findings = chapter_5_findings(table, bundled);
   table.notes.push_back(
-      fmt::format("bvh_memory in bytes; time: binary32 is 1, traversal alone, the fastest of {} runs on one "
+      fmt::format("bvh_memory in bytes; time: binary32 is 1, traversal alone, the median of {} runs on one "
                   "thread; {} of {} "
                   "answers of Moeller-Trumbore differ from the exact test's",
                   options.repeats, different, rays));
-  table.notes.push_back("+-95 %: the interval by the spread among the tiles of the image");
+  table.notes.push_back(
+      "+-95 %: the interval by the spread among the tiles of the image; of times by the order of the runs");
   return table;
 }
 

@@ -22,7 +22,7 @@ struct ExperimentOptions {
   int width = 256;  ///< the thesis: 2048 x 2048
   int height = 256;
   std::optional<std::uint64_t> triangles;  ///< size of stand-ins that scale; nothing: their default sizes
-  int repeats = 3;                         ///< timed runs; the fastest counts
+  int repeats = 6;                         ///< timed runs; with 6 or more times have intervals
   int threads = 1;                         ///< for runs that only count; timed runs have one thread
   /// Called from any thread with the finished share, 0..1.
   std::function<void(double)> progress = [](double) {};

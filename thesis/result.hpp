@@ -27,8 +27,8 @@ struct ResultRow {
   std::vector<std::string> labels;             ///< one for each of ResultTable::labels
   std::vector<std::optional<double>> ours;     ///< one a column; nothing: not measured
   std::vector<std::optional<double>> printed;  ///< one a column; nothing: not printed
-  /// 95 %, of ours, by the spread among the tiles of the image. One a column, or none at all; nothing: not
-  /// from a sample of rays.
+  /// 95 %, of ours, by the spread among the tiles of the image, of times by the order of the runs. One a column, or none
+  /// at all; nothing: not from a sample of rays, or from too few runs.
   std::vector<std::optional<Interval>> intervals{};
   std::optional<std::size_t> unit{};  ///< the column that is 1 by definition, and so is not judged
 };
@@ -48,6 +48,15 @@ inline constexpr const char* starts_inside =
     "our rays start 2^-17 beside the surface that they leave. Where it lies across an axis, they start "
     "inside the "
     "coarse box around it, and its few triangles are tested";
+
+/// Of what takes so many times as long, in percent.
+[[nodiscard]] inline std::optional<Interval> percent_more(const ref::Middle& ratio) {
+  if (!ratio.interval) return std::nullopt;
+  return Interval{100 * (ratio.interval->low - 1), 100 * (ratio.interval->high - 1)};
+}
+/// Fewer runs give no interval.
+inline constexpr int runs_of_interval = 6;
+inline constexpr const char* interval_note = "+-95 %: the interval of the median by the order of the runs";
 
 /// Why a time is another.
 inline constexpr const char* other_machine = "another processor and compiler";

@@ -149,8 +149,8 @@ class Search {
 
   void run() {
     leave_room();
-    if (!options_.fixed.boxes) choose_boxes();
     if (!options_.fixed.stack) choose_stack();
+    if (!options_.fixed.boxes) choose_boxes();
     choose_rest();
   }
 

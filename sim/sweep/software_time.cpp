@@ -70,7 +70,7 @@ std::optional<RunTime> SoftwareTime::of(const rtl::Design& design, const rtl::Fo
   if (rays == 0) return std::nullopt;
   std::array<double, 9> runs{};
   for (double& run : runs)
-    run = milli(1e6 * ref::measure(*tracer, batches_, 1).seconds / static_cast<double>(rays));
+    run = milli(1e6 * ref::measure(*tracer, batches_, 1).seconds.front() / static_cast<double>(rays));
   std::ranges::sort(runs);
   return RunTime{.lower_s = runs[2], .median_s = runs[4], .upper_s = runs[6]};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hitpipe::ref {
 
@@ -33,6 +34,28 @@ Interval wilson(double share, double cases) {
 }
 
 }  // namespace
+
+Middle middle_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  Middle middle{.median = (values[(n - 1) / 2] + values[n / 2]) / 2};
+  // The median lies outside the values number k to n - 1 - k if at most k coins of n fall on one side.
+  double coins = std::pow(0.5, static_cast<double>(n)), outside = 0;
+  constexpr double most_outside = 0.05;
+  for (std::size_t k = 0; k < n / 2; ++k) {
+    outside += 2 * coins;
+    if (outside > most_outside) break;
+    middle.interval = {values[k], values[n - 1 - k]};
+    coins *= static_cast<double>(n - k) / static_cast<double>(k + 1);
+  }
+  return middle;
+}
+
+Middle middle_ratio(std::span<const double> above, std::span<const double> below) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < above.size(); ++i) ratios.push_back(above[i] / below[i]);
+  return middle_of(std::move(ratios));
+}
 
 Interval wilson_interval(std::uint64_t part, std::uint64_t whole) {
   const auto cases = static_cast<double>(whole);

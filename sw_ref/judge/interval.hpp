@@ -3,6 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace hitpipe::ref {
 
@@ -13,6 +16,17 @@ struct Interval {
 
 /// Wilson's score interval of a share, `part` of `whole` independent cases. 0..1 when `whole` is 0.
 [[nodiscard]] Interval wilson_interval(std::uint64_t part, std::uint64_t whole);
+
+/// The median of measured values, and its interval by their order alone, which needs no law of their spread. It has 95 % or
+/// more; fewer than six values have none.
+struct Middle {
+  double median = 0;
+  std::optional<Interval> interval{};
+};
+/// Of at least one value.
+[[nodiscard]] Middle middle_of(std::vector<double> values);
+/// Of times over other times, run by run. There are as many of both, at least one.
+[[nodiscard]] Middle middle_ratio(std::span<const double> above, std::span<const double> below);
 
 /// A sum over another sum, when cases come in groups that resemble each other: the boxes of one ray, the rays
 /// of one tile. The groups are independent, the cases of a group are not.

@@ -1,7 +1,5 @@
 #include "sw_ref/render/recording.hpp"
 
-#include <algorithm>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -40,7 +38,6 @@ std::vector<RecordedBatch> record_rays(const Scene& scene, const Bvh& bvh, int w
 
 Measurement measure(const Tracer& tracer, const std::vector<RecordedBatch>& batches, int repeats) {
   Measurement result;
-  result.seconds = std::numeric_limits<double>::infinity();
   std::vector<std::vector<std::uint32_t>> triangles(batches.size());
   for (std::size_t i = 0; i < batches.size(); ++i) triangles[i].resize(batches[i].rays.size());
   for (int run = 0; run < repeats; ++run) {
@@ -48,7 +45,7 @@ Measurement measure(const Tracer& tracer, const std::vector<RecordedBatch>& batc
     const double start = host::thread_seconds();
     for (std::size_t i = 0; i < batches.size(); ++i)
       tracer.trace({batches[i].rays, batches[i].query, triangles[i]}, counts[i]);
-    result.seconds = std::min(result.seconds, host::thread_seconds() - start);
+    result.seconds.push_back(host::thread_seconds() - start);
     result.of_batches = std::move(counts);
   }
   for (std::size_t i = 0; i < batches.size(); ++i) result.counts.of(batches[i].kind) += result.of_batches[i];

@@ -35,7 +35,7 @@ struct Recording {
 struct Measurement {
   RenderCounts counts;
   std::vector<TraceCounts> of_batches;  ///< the counts of each batch
-  double seconds = 0;                   ///< processor time of the fastest run, on one thread
+  std::vector<double> seconds;          ///< processor time of each run, on one thread
   std::uint64_t different = 0;          ///< rays whose answer differs from the recorded one
 };
 

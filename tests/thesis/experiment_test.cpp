@@ -54,6 +54,22 @@ TEST(Experiments, HaveAPrintedTableEach) {
   EXPECT_EQ(experiments_and_proposals().size(), 32U + 1U + 3U);
 }
 
+TEST(Experiments, TimesHaveIntervalsFromSixRunsOn) {
+  ExperimentOptions options = quick();
+  options.only = {"Spheres"};
+  for (const int repeats : {5, 6}) {
+    options.repeats = repeats;
+    const ResultTable table = find_experiment("4.1").run(options);
+    const ResultRow& times = row_of(table, {"Spheres", "time"});
+    ASSERT_EQ(times.intervals.size(), table.columns.size());
+    EXPECT_FALSE(times.intervals[0]) << "it is 1 by definition";
+    EXPECT_EQ(times.intervals[1].has_value(), repeats == 6);
+    if (repeats == 5) continue;
+    EXPECT_LE(times.intervals[1]->low, *times.ours[1]);
+    EXPECT_GE(times.intervals[1]->high, *times.ours[1]);
+  }
+}
+
 TEST(Experiments, UnknownNumberOrSceneRejected) {
   const auto message = [](auto run) { return message_of<std::runtime_error>(run); };
   EXPECT_THAT(message([] { (void)find_experiment("4.5"); }),

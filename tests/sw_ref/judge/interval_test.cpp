@@ -83,6 +83,39 @@ TEST(GroupedRatio, HoldsTheTrueRatioIn95OfAHundredSamples) {
   EXPECT_NEAR(share_that_hold(1.5, of_many_groups), 0.95, 0.02);
 }
 
+TEST(Middle, HasAnIntervalFromSixValuesOn) {
+  EXPECT_FALSE(middle_of({5, 1, 4, 2, 3}).interval);
+  EXPECT_EQ(middle_of({5, 1, 4, 2, 3}).median, 3);
+  const Middle six = middle_of({6, 5, 1, 4, 2, 3});
+  EXPECT_EQ(six.median, 3.5);
+  ASSERT_TRUE(six.interval);
+  EXPECT_EQ(six.interval->low, 1);
+  EXPECT_EQ(six.interval->high, 6);
+  // Of 9 coins at most one falls on one side in 3.9 % of all throws, of 12 at most two.
+  EXPECT_EQ(middle_of({1, 2, 3, 4, 5, 6, 7, 8, 9}).interval->low, 2);
+  EXPECT_EQ(middle_of({1, 2, 3, 4, 5, 6, 7, 8, 9}).interval->high, 8);
+  EXPECT_EQ(middle_of({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}).interval->low, 3);
+}
+
+TEST(Middle, IntervalHoldsTheMedianAsOftenAsItSays) {
+  std::mt19937 random(7);
+  std::exponential_distribution<double> values(1);  // its median is the logarithm of 2
+  int held = 0;
+  constexpr int samples = 20'000;
+  for (int i = 0; i < samples; ++i) {
+    std::vector<double> sample(7);
+    for (double& value : sample) value = values(random);
+    const Interval of = *middle_of(sample).interval;
+    held += of.low <= std::log(2.0) && std::log(2.0) <= of.high ? 1 : 0;
+  }
+  EXPECT_NEAR(held / double{samples}, 1 - 2.0 / 128, 0.003);
+}
+
+TEST(Middle, OfARatioIsRunByRun) {
+  const std::vector<double> above{2, 6, 9}, below{1, 2, 3};
+  EXPECT_EQ(middle_ratio(above, below).median, 3);
+}
+
 TEST(GroupedRatio, GroupWithNothingBelowTheLineStillCountsAbove) {
   GroupedRatio ratio;
   ratio.add(2, 4);
