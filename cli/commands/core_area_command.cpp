@@ -57,6 +57,7 @@ CLI::App* add_core_area_command(CLI::App& core, int& /*exit_code*/) {
   add_core_bits_option(*command, options->core.bits, rtl::to_string(rtl::Format(options->core.options.bits)));
   add_one_core_options(*command, options->core);
   add_core_cache_options(*command, options->core);
+  add_core_limit_options(*command, options->core);
   add_library_option(*command, options->library);
   add_format_option(*command, options->format);
   add_examples(*command, {"hitpipe core area", "hitpipe core area --library xc7 --triangle-ii serial"});

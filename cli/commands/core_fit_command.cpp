@@ -387,11 +387,12 @@ CLI::App* add_core_fit_command(CLI::App& core, int& exit_code) {
   for (CLI::Option* const option : add_core_port_options(*command, options->core)) chosen.push_back(option);
   add_count_option(*command, "--clock-ps", options->core.options.clock_ps, {1, 1'000'000'000},
                    "Clock period in picoseconds of the units; by default that of the slowest machine");
-  static const std::set<std::string> by_fit{"--rays",        "--stack",      "--triangle-ii",  "--cache",
-                                            "--levels",      "--block-bits", "--address-bits", "--tag-bits",
-                                            "--number-bits", "--leaf-bits",  "--step-bits"};
+  static const std::set<std::string> by_fit{"--rays",   "--stack",      "--triangle-ii",  "--cache",
+                                            "--levels", "--block-bits", "--address-bits", "--tag-bits"};
   for (CLI::Option* const option : chosen)
     if (by_fit.contains(option->get_name())) option->default_str("by the fit");
+  for (CLI::Option* const option : add_core_limit_options(*command, options->core))
+    option->default_str("by the fit");
   add_core_bus_options(*command, options->core);
   command
       ->add_option("--name", options->module,

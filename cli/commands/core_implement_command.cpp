@@ -99,6 +99,8 @@ CLI::App* add_core_implement_command(CLI::App& core, int& exit_code) {
     exclude(option, board, "a board has a core of its own");
   for (CLI::Option* const option : add_core_port_options(*command, options->core))
     exclude(option, board, "a board has a core of its own");
+  for (CLI::Option* const option : add_core_limit_options(*command, options->core))
+    exclude(option, board, "a board has a core of its own");
   for (CLI::Option* const option : add_core_cache_options(*command, options->core))
     exclude(option, board, "a board's core has its image in the chip");
   for (CLI::Option* const option : add_core_bus_options(*command, options->core))

@@ -69,6 +69,7 @@ CLI::App* add_core_rtl_command(CLI::App& core, int& /*exit_code*/) {
   add_one_core_options(*command, options->core);
   add_core_cache_options(*command, options->core);
   add_core_port_options(*command, options->core);
+  add_core_limit_options(*command, options->core);
   add_core_bus_options(*command, options->core);
   add_library_option(*command, options->library);
   add_count_option(*command, "--clock-ps", options->core.options.clock_ps, {1, 1'000'000'000},

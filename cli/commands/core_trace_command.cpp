@@ -108,11 +108,7 @@ class Tracing {
         traced_(scene_of(command)),
         walking_{.world = bits(), .boxes = usual_box_format(bits()), .places = command.core.places},
         memory_(memory_of(command)) {
-    const ref::CoreHeader& header = traced_.image.header;
-    if (header.levels > command.core.options.levels)
-      throw std::runtime_error(fmt::format(
-          "--levels {}: the scene has {} records on a path; allowed is {} to {}", command.core.options.levels,
-          header.levels, header.levels, rtl::CoreOptions::most_levels));
+    check_room();
     if (command.rays.given()) list_ = sim::read_ray_list(command.rays.file, traced_.scene->scene.to_cube);
     if (!list_.empty()) check_parts(command, list_.size(), "rays");
     if (command.edges.given()) {
@@ -190,6 +186,22 @@ class Tracing {
   [[nodiscard]] const CoreScene& traced() const { return traced_; }
 
  private:
+  /// Throws std::runtime_error, one line, for what the image has more of than the core.
+  void check_room() const {
+    const ref::CoreHeader& image = traced_.image.header;
+    const rtl::CoreOptions& core = command_.core.options;
+    const auto check = [](const char* option, int given, const std::string& has, int needed, int most) {
+      if (needed > given)
+        throw std::runtime_error(
+            fmt::format("{} {}: the scene has {}; allowed is {} to {}", option, given, has, needed, most));
+    };
+    check("--levels", core.levels, fmt::format("{} records on a path", image.levels), image.levels,
+          rtl::CoreOptions::most_levels);
+    check("--number-bits", core.number_bits, fmt::format("{} triangles", image.in_source()),
+          image.number_bits(), hls::triangle_number_bits);
+    check("--leaf-bits", core.leaf_bits, fmt::format("leaves with {} triangles", image.most_in_leaf),
+          image.leaf_bits(), hls::child_count_bits);
+  }
   [[nodiscard]] const hls::WorldBits& bits() const { return traced_.scene->bits; }
 
   const TraceCommand& command_;
@@ -356,6 +368,7 @@ CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
       ->transform(number_from(1, 256))
       ->type_name("N");
   add_core_options(*command, options->core);
+  add_core_limit_options(*command, options->core);
   add_memory_option(*command, options->memory);
   add_core_bus_options(*command, options->core);
   add_core_cache_options(*command, options->core, 65'536);

@@ -141,23 +141,36 @@ void add_memory_option(CLI::App& command, std::string& memory) {
   command.add_option("--memory", memory, text)->capture_default_str()->type_name("NAME|FILE");
 }
 
+namespace {
+
+CLI::Option* add_width_option(CLI::App& command, const char* name, int& value, CountRange allowed,
+                              const char* what) {
+  return add_count_option(command, name, value, allowed, what)->capture_default_str();
+}
+
+}  // namespace
+
 std::vector<CLI::Option*> add_core_port_options(CLI::App& command, CoreChoice& choice) {
   rtl::CoreOptions& options = choice.options;
-  const auto count = [&](const char* name, int& value, CountRange allowed, const char* what) {
-    return add_count_option(command, name, value, allowed, what)->capture_default_str();
-  };
-  return {
-      count("--block-bits", options.address_bits, {4, 32},
-            "Bits of a block's number in the image; a block has 32 bytes"),
-      count("--address-bits", options.byte_bits, {9, 64},
-            "Bits of an address, at least 5 more than of a block's number"),
-      count("--tag-bits", options.tag_bits, {1, 64}, "Bits of a ray's tag"),
-      count("--number-bits", options.number_bits, {4, 32}, "Bits of a triangle's number"),
-      count("--leaf-bits", options.leaf_bits, {2, 8}, "Bits of the number of triangles in a leaf"),
-      count("--step-bits", options.step_bits, {4, 20}, "Bits of the number of records that a ray may test"),
-      count("--block-rams", options.block_rams, {0, rtl::CoreOptions::most_block_rams},
-            "Mark memories for so many block RAMs of 16 bits, as iCE40 has them, where Yosys takes "
-            "registers")};
+  return {add_width_option(command, "--block-bits", options.address_bits, {4, 32},
+                           "Bits of a block's number in the image; a block has 32 bytes"),
+          add_width_option(command, "--address-bits", options.byte_bits, {9, 64},
+                           "Bits of an address, at least 5 more than of a block's number"),
+          add_width_option(command, "--tag-bits", options.tag_bits, {1, 64}, "Bits of a ray's tag"),
+          add_width_option(
+              command, "--block-rams", options.block_rams, {0, rtl::CoreOptions::most_block_rams},
+              "Mark memories for so many block RAMs of 16 bits, as iCE40 has them, where Yosys takes "
+              "registers")};
+}
+
+std::vector<CLI::Option*> add_core_limit_options(CLI::App& command, CoreChoice& choice) {
+  rtl::CoreOptions& options = choice.options;
+  return {add_width_option(command, "--number-bits", options.number_bits, {4, hls::triangle_number_bits},
+                           "Bits of a triangle's number"),
+          add_width_option(command, "--leaf-bits", options.leaf_bits, {2, hls::child_count_bits},
+                           "Bits of the number of triangles in a leaf"),
+          add_width_option(command, "--step-bits", options.step_bits, {4, hls::step_count_bits},
+                           "Bits of the number of records that a ray may test")};
 }
 
 }  // namespace hitpipe::cli

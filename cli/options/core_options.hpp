@@ -45,5 +45,7 @@ std::vector<CLI::Option*> add_core_cache_options(CLI::App& command, CoreChoice& 
 void add_memory_option(CLI::App& command, std::string& memory);
 /// Widths of ports and block RAMs, which only Verilog that is written needs to know.
 std::vector<CLI::Option*> add_core_port_options(CLI::App& command, CoreChoice& choice);
+/// What a core has fewer bits for than an image: --number-bits, --leaf-bits and --step-bits.
+std::vector<CLI::Option*> add_core_limit_options(CLI::App& command, CoreChoice& choice);
 
 }  // namespace hitpipe::cli

@@ -97,9 +97,10 @@ std::string c_image(const Core& core) {
 #define CORE_LEVELS {} /* of records on a path */
 #define CORE_NUMBER_BITS {} /* of a triangle's number; all ones is none */
 #define CORE_LEAF_BITS {} /* of the number of triangles in a leaf; all ones is a record */
+#define CORE_STEP_BITS {} /* of the number of records that a ray may test */
 )",
                      hls::image_version, core.options.bits.coord, core.options.levels,
-                     core.options.number_bits, core.options.leaf_bits) +
+                     core.options.number_bits, core.options.leaf_bits, core.options.step_bits) +
          text;
 }
 

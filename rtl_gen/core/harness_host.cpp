@@ -247,7 +247,7 @@ void damage(System& system, Host& host) {
   for (int byte = 20; byte < 24; ++byte) system.memory[0][byte] = 0;
   system.memory[0][24] = 255;
   system.forget();
-  host.trace(some, levels);
+  host.trace(some, (1u << CORE_STEP_BITS) <= CORE_LEVELS ? steps : levels);
   // To a block that the core cannot name, or that the image does not have.
   system.memory[0][23] = 0x80;
   system.forget();

@@ -123,9 +123,16 @@ ref::TraceCounts read_for(const ref::CoreTracer& walk, const CoreJob& job) {
   return counts;
 }
 
+/// All bits of a triangle's number.
+std::uint32_t numbers_of(const rtl::CoreOptions& options) {
+  return static_cast<std::uint32_t>(rtl::ones_below(options.number_bits));
+}
+
+/// No ray tests more records than the core has bits to count.
 rtl::CoreScene scene_with_answers(const rtl::Core& core, const Traced& mesh,
                                   const std::function<CoreJob()>& job) {
-  const std::uint32_t step = ~0U / (mesh.image.header.triangles + mesh.image.header.missing + 1);
+  const auto step = std::max(
+      1U, static_cast<std::uint32_t>(numbers_of(core.options) / (mesh.image.header.in_source() + 1)));
   const Spread spread = [&](std::uint32_t number) { return number * step + step / 2; };
   const ref::CoreTracer walk(mesh.image, mesh.scene.mesh.mesh,
                              {.world = core.options.bits.world(),
@@ -138,13 +145,15 @@ rtl::CoreScene scene_with_answers(const rtl::Core& core, const Traced& mesh,
   std::optional<CoreBench> bench;
   if (core.options.questions) bench.emplace(core, alone, image, MemoryOptions{});
   std::optional<CoreJob> behind;  // a ray walks from crossing to crossing
-  for (int i = 0; i < 1000; ++i) {
+  const auto most_steps = static_cast<std::uint64_t>(rtl::ones_below(core.options.step_bits));
+  while (scene.rays.size() < 1000) {
     const CoreJob made = behind ? *behind : job();
     behind.reset();
     if (made.once) {
       const CoreCounts before = bench->counts();
       CoreAnswer answer;
       bench->run({&made, 1}, {&answer, 1});
+      if (answer.failed == hls::too_many_steps) continue;
       rtl::CoreScene::Ray& ray = scene.rays.emplace_back(asked_once(core, made, mesh.scene.mesh, spread));
       ray.records = bench->counts().records - before.records;
       ray.triangles = bench->counts().triangles - before.triangles;
@@ -156,6 +165,7 @@ rtl::CoreScene scene_with_answers(const rtl::Core& core, const Traced& mesh,
       continue;
     }
     const ref::TraceCounts read = read_for(walk, made);
+    if (read.nodes_loaded > most_steps) continue;
     rtl::CoreScene::Ray& ray = scene.rays.emplace_back(asked(core, made, mesh.scene.mesh));
     if (ray.number != ref::IntHit::none) ray.number = spread(static_cast<std::uint32_t>(ray.number));
     ray.records = read.nodes_loaded;
@@ -195,14 +205,14 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   Random random(seed);
   Lattice lattice(world.coord, random);
   const auto in_world = [&](const ref::Scene& scene, int most_in_leaf) {
-    return ref::int_scene(scene, world,
-                          {.build = {.builder = ref::Builder::sah, .max_triangles = most_in_leaf}});
+    const int most = std::min(most_in_leaf, (1 << options.leaf_bits) - 2);
+    return ref::int_scene(scene, world, {.build = {.builder = ref::Builder::sah, .max_triangles = most}});
   };
   // Walks are long, and some begin again.
   const Traced mesh = traced(options, 84, [&](std::uint32_t triangles) {
     const std::uint32_t some = triangles / 4;
     return chained(in_world(joined(random_scene(triangles - some, 0.1F, random), lattice.scene(some)), 4),
-                   std::min(options.levels - 1, 40), random);
+                   std::min({options.levels - 1, 40, 1 << (options.step_bits - 1)}), random);
   });
   // A ray takes some 20 cycles for each block, so these have few.
   const Traced some = traced(options, 16, [&](std::uint32_t triangles) {
@@ -233,7 +243,9 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
     if (random.below(2) == 0) {
       made.from_t =
           static_cast<std::int64_t>(random.bits() % static_cast<rtl::Word>(world.largest_distance()));
-      made.from_number = static_cast<std::uint32_t>(random.bits());
+      // Of half of them the core may have all bits.
+      const rtl::Word drawn = random.bits();
+      made.from_number = static_cast<std::uint32_t>(drawn) & (drawn >> 63 == 0 ? ~0U : numbers_of(options));
     }
     return made;
   };
@@ -264,11 +276,12 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   };
 
   // Numbers that differ in two bits. The two images together have all bits.
-  const auto number = static_cast<std::uint32_t>(random.bits());
+  const std::uint32_t number = static_cast<std::uint32_t>(random.bits()) & numbers_of(options);
   int bit = 0;
-  const auto alike = [&](std::uint32_t) { return number ^ 1U << bit++ % 32; };
+  const auto alike = [&](std::uint32_t) { return number ^ 1U << bit++ % options.number_bits; };
   const ref::CoreImage tied = renumbered(small.image, alike);
-  const ref::CoreImage also_tied = renumbered(small.image, [&](std::uint32_t each) { return ~alike(each); });
+  const ref::CoreImage also_tied =
+      renumbered(small.image, [&](std::uint32_t each) { return numbers_of(options) ^ alike(each); });
   const ref::CoreImage broken = damaged(renumbered(some.image, alike), options, random);
   const auto all_blocks = static_cast<std::uint64_t>(rtl::ones_below(options.address_bits)) + 1;
   const auto last_base = static_cast<std::uint64_t>(rtl::ones_below(options.byte_bits - 6));

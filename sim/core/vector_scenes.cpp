@@ -117,8 +117,10 @@ Traced traced(const rtl::CoreOptions& options, std::uint32_t triangles,
   for (;; triangles /= 2) {
     ref::IntScene scene = make(triangles);
     ref::CoreImage image = ref::core_image(scene);
-    if ((image.header.levels <= options.levels && image.blocks.size() <= most_blocks) || triangles == 1)
-      return {std::move(scene), std::move(image)};
+    const bool fits = image.header.levels <= options.levels && image.blocks.size() <= most_blocks &&
+                      image.header.number_bits() <= options.number_bits &&
+                      image.header.leaf_bits() <= options.leaf_bits;
+    if (fits || triangles == 1) return {std::move(scene), std::move(image)};
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,10 +24,16 @@ struct CoreHeader {
   std::uint32_t triangles = 0;  ///< in the image
   std::uint32_t missing = 0;    ///< triangles of the source that the image lacks
   int most_in_leaf = 0;         ///< triangles of one leaf, at most
+  Normalisation to_cube{};      ///< from the mesh's own units
 
   /// Triangles of the source. Their numbers are below it.
   [[nodiscard]] std::uint64_t in_source() const { return std::uint64_t{triangles} + missing; }
-  Normalisation to_cube{};      ///< from the mesh's own units
+  /// Bits that a core needs for a triangle's number. All ones is no triangle.
+  [[nodiscard]] int number_bits() const { return static_cast<int>(std::bit_width(in_source())); }
+  /// Bits that a core needs for the number of triangles in a leaf. All ones is a record.
+  [[nodiscard]] int leaf_bits() const {
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(most_in_leaf) + 1));
+  }
 };
 
 /// They are the blocks 1, 2 and 3.

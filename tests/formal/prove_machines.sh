@@ -11,6 +11,10 @@ mkdir -p "$2"
 cd "$2" || exit 1
 failed=0
 
+# width LETTER USUAL FORMAT: a localparam's value, the format's number behind the letter.
+width() {
+  [[ $3 =~ [0-9]$1([0-9]+) ]] && echo "${BASH_REMATCH[1]}" || echo "$2"
+}
 # properties NAME FORMAT [DAMAGE]: makes the machine's Verilog with its properties, changed by an expression of sed.
 properties() {
   local name=$1 format=$2 damage=${3:-}
@@ -24,6 +28,7 @@ properties() {
     echo '  reg was_reset = 1'\''b0;'
     echo '  always @(posedge clk) was_reset <= was_reset | rst;'
     echo '  always @* if (!was_reset) assume (rst);'
+    echo "  localparam LEAF_BITS = $(width e 8 "$format"), NUMBER_BITS = $(width u 32 "$format"), STEP_BITS = $(width s 20 "$format");"
     cat "${texts[@]}"
     echo endmodule
   } >>"$name.v"
@@ -74,15 +79,18 @@ machine door t4i1q1 'the same, and what a ray asks stays' \
   's/t_1_value_mux = ray_any ? ray_length/t_1_value_mux = ~ray_any ? ray_length/'
 machine requests a4h9i1 'all leave once, in order, and stay' 's/there_2 <= waits/there_2 <= waits \& ~there_2/'
 machine replies t4g1i1 'one answer a ray, with its tag' 's/tags\[leaving_ray\]/tags[ray_1]/'
+machine replies t4g1i1u4 'the same with fewer numbers' 's/tags\[leaving_ray\]/tags[ray_1]/'
 # A ray waits for its leaf's word only if two other rays go to leaves meanwhile. So there are four rays.
 machine reader a4i2 'a leaf in turn, a ray in one place' "s/settled_1 <= ~writes/settled_1 <= 1'b1/"
 machine reader a4i2q1 'the same with a triangle again' 's/goes_on = .*;/goes_on = next_granted;/'
+machine reader a4i2e2 'the same with small leaves' "s/settled_1 <= ~writes/settled_1 <= 1'b1/"
 machine beats d64i1 'a block a request, in order, whole' 's/askers\[next_oldest_value\]/askers[oldest]/'
 machine beats d512i1 'a block a request, in order, its half' 's/askers_word\[2\] ? beat_5/askers_word[1] ? beat_5/'
 machine divider 8+0s8i1 'each hit is compared once' 's/wire loads = .*;/wire loads = there \& ~divides;/'
 machine best_hits t4c1d4i1 'an answer is the best of its hits' 's/improves = divided_1 & closer_1/improves = divided_1/'
 machine best_hits t4c1d4i1q1 'the same, or counts and sides' \
   's/side_is_down_xor = .*;/side_is_down_xor = hit_back_1;/'
+machine best_hits t4c1d4i1u4 'the same with fewer numbers' 's/improves = divided_1 & closer_1/improves = divided_1/'
 machine ties 8+0s8c3i1 'a tie is settled by its moved tests' 's/still = meets_word \& zero_1/still = zero_1/'
 machine weights d25e25t4g1i1 'an answer has its best hit' 's/best_det\[ray_wanted\]/best_det[ray]/'
 machine registers a4h9i1c34 'each access once, what was written' \
@@ -94,7 +102,10 @@ machine registers a4h9i1c34r1 'the same with rings' \
 machine scene_memory a4i1 'a block a request, as written' "s/free = count == /free = 1'b1 | count == /"
 machine read_meter i1c3n3 'a read as long as it took' 's/came <= read_valid/came <= read_valid | came/'
 machine pair_feed 8+0/4a4i1 'a record once, with its ray' 's/intervals\[read_id\[0\]\]/intervals[ray_1]/'
+machine pair_feed 8+0/4a4i1e2 'the same, and small leaves' 's/intervals\[read_id\[0\]\]/intervals[ray_1]/'
 machine triangle_feed 8+0s8i1 'a triangle once, with its ray' \
+  's/next_ready_value = there & ~taken/next_ready_value = there/'
+machine triangle_feed 8+0s8i1u4 'the same, and fewer numbers' \
   's/next_ready_value = there & ~taken/next_ready_value = there/'
 machine triangle_feed 8+0s8c3i1 'the same with a moved ray' 's/along_b = .*;/along_b = tests_word[1];/'
 machine serial_triangle 8+0s8i1 'a triangle once, in bounded time' \
@@ -106,6 +117,7 @@ damage walker d4a4l4k1i1 'a child dropped on a full stack' \
   's/wire pushes = pushes_and & walker_eq/& \& ~walks_word[22]/'
 damage walker d4a4l4k1i1 'a walk that ends before its last pop' \
   's/value_and_2 = pops & sum\[4\]/value_and_2 = pops \& (sum[4] | next_some_2_value_eq)/'
+machine walker d4a4l4k1i1e2s4 'the same, and few steps' 's/trail_2_value_mux = pops ? sum\[3:0\]/& \& {4{~next_some_2_value_eq}}/' 18
 # Joins in the cycle in which the list is taken.
 machine cache a4h9i2s1w2l2d256 'a block a ray, as memory has it' \
   's/may_join = look_there & ~fills/may_join = look_there/' 16

@@ -220,6 +220,20 @@ TEST_F(TraceOfAnImage, RefusesWhatIsNone) {
   EXPECT_THAT(refused(image_words_ + " --levels 3").err, HasSubstr("--levels 3: the scene has "));
 }
 
+TEST_F(TraceOfAnImage, RefusesWhatNeedsMoreBits) {
+  printed("core image --scene spheres --max-triangles 6 --builder median --out " + image_);
+  EXPECT_THAT(refused(image_words_ + " --number-bits 5").err,
+              testing::MatchesRegex("hitpipe: --number-bits 5: the scene has [0-9]+ triangles; allowed is "
+                                    "[0-9]+ to 32\n"));
+  EXPECT_EQ(refused(image_words_ + " --leaf-bits 2").err,
+            "hitpipe: --leaf-bits 2: the scene has leaves with 6 triangles; allowed is 3 to 8\n");
+}
+
+TEST_F(TraceOfAnImage, IsTheSameByACoreWithFewBits) {
+  EXPECT_EQ(traced(image_words_, " --width 8 --height 8 --number-bits 4 --leaf-bits 2 --step-bits 4"),
+            traced(image_words_, " --width 8 --height 8"));
+}
+
 TEST_F(TraceOfAnImage, IsCutIntoPieces) {
   const std::string work =
       "core trace --native --rays-in-flight 2,4 " + image_words_ + " --width 8 --height 8";

@@ -39,14 +39,14 @@
   // What was given to it: its length, (T, number) of each hit, and what it asks. The best of it; of a ray that counts
   // the sum of sides and the number of hits.
   reg any_hit;
-  reg [31:0] tested;
-  reg [35:0] least, least_before, longest;
-  wire [35:0] hit = {t, tested};
+  reg [NUMBER_BITS-1:0] tested;
+  reg [NUMBER_BITS+3:0] least, least_before, longest;
+  wire [NUMBER_BITS+3:0] hit = {t, tested};
 `ifdef QUESTIONS
   reg our_counts, our_turned;
-  reg [35:0] our_from;
+  reg [NUMBER_BITS+3:0] our_from;
   wire begins_counting = counts;
-  wire before_from = hit < {our_from[35:32], our_from[31:0] | {32{our_counts}}};
+  wire before_from = hit < {our_from[NUMBER_BITS+3:NUMBER_BITS], our_from[NUMBER_BITS-1:0] | {NUMBER_BITS{our_counts}}};
   wire [3:0] side = hit_back == our_turned ? 4'd15 : 4'd1;
   always @(posedge clk) if (begins_one) {our_counts, our_turned, our_from} <= {counts, turned, from_t, from_number};
 `else
@@ -55,27 +55,27 @@
 `endif
   wire improves_one = our_counts ? before_from : hit < least & ~before_from;
   always @(posedge clk) begin
-    if (begins_one) {any_hit, least} <= {any, begins_counting ? 36'd0 : {length, 32'hffffffff}};
-    else if (done_one & improves_one) least <= our_counts ? {least[35:32] + side, least[31:0] + 32'd1} : hit;
-    if (begins_one) longest <= {length, 32'hffffffff};
+    if (begins_one) {any_hit, least} <= {any, begins_counting ? {NUMBER_BITS+4{1'b0}} : {length, {NUMBER_BITS{1'b1}}}};
+    else if (done_one & improves_one) least <= our_counts ? {least[NUMBER_BITS+3:NUMBER_BITS] + side, least[NUMBER_BITS-1:0] + 1'd1} : hit;
+    if (begins_one) longest <= {length, {NUMBER_BITS{1'b1}}};
     if (reads_one) tested <= number;
     least_before <= least;
   end
 
   // The divider asks for a ray while it divides, and compares one cycle before it says so.
   reg asked_1, asked_2, tests_1, tests_2;
-  reg [67:0] seen;
+  reg [2*NUMBER_BITS+3:0] seen;
 `ifdef QUESTIONS
-  wire [35:0] from_shown = {asked_from_t, asked_from_number};
+  wire [NUMBER_BITS+3:0] from_shown = {asked_from_t, asked_from_number};
   reg counts_seen;
-  reg [35:0] from_seen;
+  reg [NUMBER_BITS+3:0] from_seen;
   always @(posedge clk) {counts_seen, from_seen} <= {asked_counts, from_shown};
 `else
   wire counts_seen = 1'b0;
-  wire [35:0] from_seen = 36'd0;
+  wire [NUMBER_BITS+3:0] from_seen = {NUMBER_BITS+4{1'b0}};
 `endif
-  wire seen_before = {t, seen[67:36]} < {from_seen[35:32], from_seen[31:0] | {32{counts_seen}}};
-  wire seen_closer = counts_seen ? seen_before : {t, seen[67:36]} < seen[35:0] & ~seen_before;
+  wire seen_before = {t, seen[2*NUMBER_BITS+3:NUMBER_BITS+4]} < {from_seen[NUMBER_BITS+3:NUMBER_BITS], from_seen[NUMBER_BITS-1:0] | {NUMBER_BITS{counts_seen}}};
+  wire seen_closer = counts_seen ? seen_before : {t, seen[2*NUMBER_BITS+3:NUMBER_BITS+4]} < seen[NUMBER_BITS+3:0] & ~seen_before;
   always @(posedge clk) begin
     {asked_2, asked_1} <= {asked_1, asked == one};
     {tests_2, tests_1} <= {tests_1, at == TESTS};
@@ -130,7 +130,7 @@
     // The best never grows, and the answer and the length after a leaf are the best.
     assert (!here || at == NEW || our_counts || least <= least_before);
     assert (at != ANSWERED || {answer_t, answer_number} == least);
-    assert (!leaf_of_one || return_cut == {1'b0, our_counts ? longest[35:33] : least[35:33]});
+    assert (!leaf_of_one || return_cut == {1'b0, our_counts ? longest[NUMBER_BITS+3:NUMBER_BITS+1] : least[NUMBER_BITS+3:NUMBER_BITS+1]});
 `ifdef QUESTIONS
     // What it asks stays, and is shown beside its best hit.
     assert (!here || {questions[one], froms[one]} == {our_counts, our_turned, our_from});
@@ -138,11 +138,11 @@
     assert (!seen_one || {counts_seen, from_seen} == {our_counts, our_from});
     if (at == COMPARED) begin
       assert ({questions_word, divided_bests_word} == {questions[one], divided_bests[one]});
-      assert (!closer_1 || !our_counts || least == {least_before[35:32] + (hit_back_1 == our_turned ? 4'd15 : 4'd1),
-                                                    least_before[31:0] + 32'd1});
+      assert (!closer_1 || !our_counts || least == {least_before[NUMBER_BITS+3:NUMBER_BITS] + (hit_back_1 == our_turned ? 4'd15 : 4'd1),
+                                                    least_before[NUMBER_BITS-1:0] + 1'd1});
     end
-    cover (at == ANSWERED && our_counts && least[31:0] == 32'd2 && least[35:32] == 4'd0);
+    cover (at == ANSWERED && our_counts && least[NUMBER_BITS-1:0] == 2 && least[NUMBER_BITS+3:NUMBER_BITS] == 4'd0);
 `endif
-    cover (at == ANSWERED && least[31:0] != 32'hffffffff);
-    cover (at == COMPARED && !closer_one && least[31:0] != 32'hffffffff);
+    cover (at == ANSWERED && ~&least[NUMBER_BITS-1:0]);
+    cover (at == COMPARED && !closer_one && ~&least[NUMBER_BITS-1:0]);
   end

@@ -49,6 +49,10 @@
     then_words <= {our_m, our_a, our_b, our_rest, our_interval};
   end
 
+  // All ones of the image's bits is a record. All ones of the core's is no leaf.
+  function is_large(input [7:0] count);
+    is_large = count != 8'hff && count >= (9'd1 << LEAF_BITS) - 9'd1;
+  endfunction
   always @(posedge clk) if (was_reset & ~rst) begin
     assert ((waits & ~flying) == 2'd0);
     if (flying[our]) begin
@@ -63,10 +67,10 @@
       assert ({zmin, ymin, xmin} == {record[55:48], record[31:24], record[7:0]});
       assert ({zmax, ymax, xmax} == {record[127:120], record[103:96], record[79:72]});
       assert ({own_zmax, own_ymax, own_xmax, own_zmin, own_ymin, own_xmin} == record[149:144]);
-      assert ({count_1, count_0, block} == {record[207:192], record[163:160]});
-      // It is a record of this grid, and no pointer of it is too large for a block's number; else its ray is lost.
+      assert ({count_1, count_0, block} == {record[199+LEAF_BITS:200], record[191+LEAF_BITS:192], record[163:160]});
+      // It is a record of this grid, and no pointer or count of it is too large; else its ray is lost.
       assert (flaw[0] == (error || record[255:248] != 8'h48));
-      assert (flaw[1] == (flaw[0] || record[191:164] != 28'd0));
+      assert (flaw[1] == (flaw[0] || record[191:164] != 28'd0 || is_large(record[199:192]) || is_large(record[207:200])));
       if (test_ray == our)
         assert ({origin_m, origin_a, origin_b, major_y, major_z, back_m, back_a, back_b, floor_a, ceil_a, exp_a,
                  floor_b, ceil_b, exp_b, parent_near, parent_far} == then_words);

@@ -16,7 +16,7 @@
   reg [3:0] last_before;
   always @(posedge clk) last_before <= last;
   always @* begin
-    if (goes) assume (walking[walk_ray] && triangles != 8'd0);
+    if (goes) assume (walking[walk_ray] && triangles != 0);
     if (tested) assume (testing[tester]);
     if (reads) assume (testing[read_ray]);
     if (divided) assume (comparing[divided_ray]);
@@ -93,22 +93,22 @@
     assert (!in_stage[one] || again_1 == repeats);
     assert (!repeats || ((in_missed[one] || in_stage[one]) && !stops_here));
     assert (!in_leaf || coming != 5'd0);
-    cover (repeats && asks && granted && asker == one && left == 8'd0);
+    cover (repeats && asks && granted && asker == one && left == 0);
   end
 `else
   wire repeats = 1'b0;
 `endif
   reg [4:0] coming;
-  reg [7:0] left;
+  reg [LEAF_BITS-1:0] left;
   always @(posedge clk) begin
     if (goes & walk_ray == one)
-      {is_record, stops_here, coming, left} <= {triangles == 8'hff, 2'd0, wanted, triangles};
-    else if (asks & granted & asker == one & ~repeats) {coming, left} <= {coming + 5'd1, left - 8'd1};
+      {is_record, stops_here, coming, left} <= {&triangles, 2'd0, wanted, triangles};
+    else if (asks & granted & asker == one & ~repeats) {coming, left} <= {coming + 5'd1, left - 1'd1};
     if (divided & divided_ray == one) stops_here <= divided_stops;
   end
 
   // A leaf's word is of the triangle that comes next. Before the first is asked for, it is of the second.
-  wire [12:0] leaf_word = writes & writer == one ? leaf : leaves[one];
+  wire [LEAF_BITS+4:0] leaf_word = writes & writer == one ? leaf : leaves[one];
   wire [4:0] behind = coming + 5'd1, end_of_image = last + 5'd1;
   integer q;
   always @(posedge clk) if (was_reset & ~rst) begin
@@ -117,8 +117,8 @@
       assert (!divided_at[q][one] || divided_rays[q][0] == stops_here);
     end
     if (in_goes[one]) begin
-      assert (!coming[4] && left != 8'd0);
-      assert (is_record || leaf_word == {behind == end_of_image, left - 8'd1, behind[3:0]});
+      assert (!coming[4] && left != 0);
+      assert (is_record || leaf_word == {behind == end_of_image, left - 1'd1, behind[3:0]});
     end
     if (in_leaf) begin
       assert (!is_record && coming <= end_of_image);
@@ -134,7 +134,7 @@
     // A block that is asked for is the next one, and in the image. So triangles come in turn, each once.
     if (asks && asker == one) begin
       assert (triangle == !is_record && asked_block == coming - {4'd0, repeats} && asked_block <= last);
-      assert ((repeats || left != 8'd0) && !stops_here);
+      assert ((repeats || left != 0) && !stops_here);
       assert (in_goes[one] || !bad[one]);
     end
     // A ray is done when no triangle is left, when its hit said so, when the next block is not in the image, or when
@@ -142,9 +142,9 @@
     if (leaf_done && leaf_ray == one) begin
       assert (leaf_lost == 2'd0 || leaf_lost == 2'd2 || leaf_lost == 2'd3);
       assert (leaf_stops == (leaf_lost != 2'd0 | stops_here));
-      assert (leaf_stops || left == 8'd0);
+      assert (leaf_stops || left == 0);
       assert (!repeats || leaf_lost == 2'd3);
       assert ((leaf_lost == 2'd3) == (!in_goes[one] && bad[one]));
-      assert (leaf_lost != 2'd2 || (coming > last && left != 8'd0 && !stops_here));
+      assert (leaf_lost != 2'd2 || (coming > last && left != 0 && !stops_here));
     end
   end

@@ -23,7 +23,7 @@
     if (answers) assume (flying[answered] && !answered_rays[answered]);
   end
 
-  wire [0:0] first_ray = waiting[0][39:39], second_ray = waiting[1][39:39];
+  wire [0:0] first_ray = waiting[0][NUMBER_BITS+7], second_ray = waiting[1][NUMBER_BITS+7];
   wire first_is_used = used == 2'd2 | (used == 2'd1 & oldest == 1'b0);
   wire second_is_used = used == 2'd2 | (used == 2'd1 & oldest == 1'b1);
   wire [1:0] in_first = first_is_used ? 2'd1 << first_ray : 2'd0;
@@ -44,6 +44,8 @@
     // An answer has its ray's tag, and has failed if this was no ray.
     assert (!hit_valid || hit_tag == tag_of[ray_1]);
     assert (!hit_valid || hit_failed == (error_of[ray_1] ? 3'd1 : hit_failed_1));
+    // All ones is no hit, of however many bits a number has.
+    assert (!hit_valid || hit_number >> NUMBER_BITS == (&hit_number[NUMBER_BITS-1:0] ? 32'hffffffff >> NUMBER_BITS : 32'd0));
     cover (hit_valid && used == 2'd1);
     cover (answered_rays == 2'd3);
   end

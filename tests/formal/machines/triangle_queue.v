@@ -39,7 +39,7 @@
   wire [1:0] rest = waiting - {1'b0, gone};
   wire [145:0] shifted = gone ? kept >> 73 : kept;
   reg came, came_ray;
-  reg [31:0] came_number;
+  reg [NUMBER_BITS-1:0] came_number;
   reg came_unread;
   always @(posedge clk) begin
     if (rst) waiting <= 2'd0;
@@ -47,8 +47,9 @@
     kept <= !comes ? shifted : rest == 2'd0 ? {73'd0, triangle} : {triangle, shifted[72:0]};
     came <= ~rst & comes;
     came_ray <= read_id[0];
-    came_number <= whole[247:216];
-    came_unread <= read_error || whole[255:248] != 8'h68;
+    came_number <= whole[215+NUMBER_BITS:216];
+    came_unread <= read_error || whole[255:248] != 8'h68 ||
+                   (NUMBER_BITS < 32 && whole[247:216] >= (33'd1 << NUMBER_BITS) - 33'd1);
   end
 
   // A place of the queue, as a triangle with its ray.

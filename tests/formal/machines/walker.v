@@ -9,8 +9,8 @@
       if (tested) knows[tester] <= 1'b0;
       if (returns) wants[return_ray] <= 1'b0;
       if (returns) at_leaf[return_ray] <= 1'b0;
-      if (goes & triangles == 8'hff) wants[walk_ray] <= 1'b1;
-      if (goes & triangles != 8'hff) at_leaf[walk_ray] <= 1'b1;
+      if (goes & &triangles) wants[walk_ray] <= 1'b1;
+      if (goes & ~&triangles) at_leaf[walk_ray] <= 1'b1;
       if (ended) nowhere[walk_ray] <= 1'b1;
     end
   end
@@ -74,32 +74,32 @@
   reg came_stops;
   reg [1:0] came_lost, record_flaw;
   reg [3:0] came_cut;
-  reg [11:0] child_of_0, child_of_1;
+  reg [LEAF_BITS+3:0] child_of_0, child_of_1;
   reg nearer_1, met_0, met_1;
   reg [7:0] range_0, range_1;
   // A bit for each level, 1: no child of it waits. Where the ray is, and at which level it went on last.
   reg [3:0] trail;
   reg [2:0] at, went_on;
   reg at_record;
-  reg [19:0] tests;
+  reg [STEP_BITS-1:0] tests;
   reg [3:0] shortest;
   // The children that wait, the last two of them, and of which level they are.
   reg [1:0] kept;
-  reg [19:0] last_entry, entry_before;
+  reg [LEAF_BITS+11:0] last_entry, entry_before;
   reg [2:0] last_level, level_before;
   // The levels of which a child was put off and has not been followed, by what was met.
   reg [3:0] put_off;
 
   // What the ray does next.
   wire [3:0] level_bit = 4'd1 << at;
-  wire meets_first = met_0 & child_of_0[7:0] != 8'd0, meets_second = met_1 & child_of_1[7:0] != 8'd0;
+  wire meets_first = met_0 & child_of_0[LEAF_BITS-1:0] != 0, meets_second = met_1 & child_of_1[LEAF_BITS-1:0] != 0;
   wire meets_both = meets_first & meets_second;
   wire second_turn = (trail & level_bit) != 4'd0;
   wire down = came == PAIR & (meets_both | (meets_first != meets_second & at != went_on));
   wire puts_off = came == PAIR & meets_both & ~second_turn;
   wire to_1 = meets_both ? nearer_1 != second_turn : meets_second;
-  wire [19:0] followed = to_1 ? {child_of_1, range_1} : {child_of_0, range_0};
-  wire [19:0] other_one = to_1 ? {child_of_0, range_0} : {child_of_1, range_1};
+  wire [LEAF_BITS+11:0] followed = to_1 ? {child_of_1, range_1} : {child_of_0, range_0};
+  wire [LEAF_BITS+11:0] other_one = to_1 ? {child_of_0, range_0} : {child_of_1, range_1};
   wire up = came != FRESH & ~down;
   // The deepest level, from this one up, of which a child waits.
   wire [3:0] settled = came == PAIR & ~meets_both ? trail | level_bit : trail;
@@ -111,19 +111,21 @@
   wire from_kept = up & kept != 2'd0, from_top = came == FRESH | (up & kept == 2'd0);
   wire [3:0] cut_then = came == LEAF | came == FRESH ? came_cut : shortest;
   wire too_far = from_kept & last_entry[7:4] > cut_then;
-  wire [19:0] target = from_top ? {4'd0, 8'hff, 4'd0, cut_then} : down ? followed : last_entry;
-  wire to_record = target[15:8] == 8'hff & ~too_far;
+  wire [LEAF_BITS+11:0] target = from_top ? {4'd0, {LEAF_BITS{1'b1}}, 4'd0, cut_then} : down ? followed : last_entry;
+  wire to_record = &target[LEAF_BITS+7:8] & ~too_far;
   wire [2:0] from_level = up ? deepest_at : at;
-  wire [19:0] tests_then = came == FRESH ? 20'd0 : tests;
+  wire [STEP_BITS-1:0] tests_then = came == FRESH ? {STEP_BITS{1'b0}} : tests;
+  // A larger bound is the largest number of tests.
+  wire [STEP_BITS-1:0] most_tests = most_steps >> STEP_BITS != 0 ? {STEP_BITS{1'b1}} : most_steps;
   wire below_all = ~from_top & from_level == 3'd0;
-  wire fails_now = to_record & (below_all | tests_then == most_steps);
+  wire fails_now = to_record & (below_all | tests_then == most_tests);
   wire [3:0] trail_then = came == FRESH ? 4'd0 : up ? (settled & ~(deepest - level_bit)) | deepest : settled;
   wire on = ~stops_now & ~fails_now;
 
   reg says_ended, says_again, began;
   reg [2:0] says_failed;
-  reg [19:0] says;
-  reg [24:0] measure, measure_before;
+  reg [LEAF_BITS+11:0] says;
+  reg [STEP_BITS+4:0] measure, measure_before;
   reg [3:0] left_waiting;
   wire goes_on = there_2 & ray_2 == our;
   always @(posedge clk) begin
@@ -139,7 +141,7 @@
       child_of_0 <= {block, count_0};
       child_of_1 <= {second_place[3:0], count_1};
       // Behind the last number of a block there is none.
-      record_flaw <= flaw | {second_place > 12'd15 & count_1 != 8'd0, 1'b0};
+      record_flaw <= flaw | {second_place > 12'd15 & count_1 != 0, 1'b0};
     end
     if (tested & tester == our) begin
       {nearer_1, met_0, met_1} <= {second_first, hit_0, hit_1};
@@ -167,23 +169,23 @@
       {says_ended, says_again} <= {~on, on & too_far};
       says_failed <= lost_now == 2'd2 ? 3'd4 : lost_now == 2'd3 ? 3'd5
                      : stops_now | ~fails_now ? 3'd0 : below_all ? 3'd3 : 3'd2;
-      says <= {target[19:4], target[3:0] < cut_then ? target[3:0] : cut_then};
+      says <= {target[LEAF_BITS+11:4], target[3:0] < cut_then ? target[3:0] : cut_then};
       began <= came == FRESH;
       measure_before <= measure_now;
     end
   end
-  wire [11:0] second_place = block + (count_0 == 8'hff ? 12'd1 : {4'd0, count_0});
+  wire [11:0] second_place = block + (&count_0 ? 12'd1 : count_0);
   wire [3:0] left_waiting_now = put_off & ~(level_bit - 4'd1) & ~(came == PAIR ? level_bit : 4'd0);
-  wire [24:0] measure_now = {trail, tests, ~at_record};
+  wire [STEP_BITS+4:0] measure_now = {trail, tests, ~at_record};
 
   // The places at which the machine has the same words.
   wire queued = pairs_0[our] | pairs_1[our] | leaves_0[our] | leaves_1[our] | others_0[our] | others_1[our];
   wire outside = wants[our] | knows[our] | at_leaf[our];
   wire inside = queued | in_1[our] | in_2[our];
   wire on_walk = outside | (inside & came != FRESH) | (in_3[our] & ~ended_3);
-  wire [32:0] walk = walks[our];
-  wire [19:0] place_0 = stacks[{our, 1'b0}], place_1 = stacks[{our, 1'b1}];
-  wire top = walk[20];
+  wire [STEP_BITS+12:0] walk = walks[our];
+  wire [LEAF_BITS+11:0] place_0 = stacks[{our, 1'b0}], place_1 = stacks[{our, 1'b1}];
+  wire top = walk[STEP_BITS];
   wire [3:0] passed = at_record ? ~({level_bit[2:0], 1'b0} - 4'd1) & {4{at != 3'd3}} : ~(level_bit - 4'd1);
   wire [3:0] zeros = ~trail & passed, zeros_above = zeros & (zeros - 4'd1);
   wire [3:0] lowest = zeros & -zeros, next_lowest = zeros_above & -zeros_above;
@@ -203,7 +205,7 @@
     if (knows[our] | (inside & came == PAIR)) assert (record_flaw != 2'd1);
     // The words in the machine's memories.
     if (on_walk) begin
-      assert ({walk[32:21], walk[19:0]} == {trail, at, went_on, kept, tests} && cuts[our] == shortest);
+      assert ({walk[STEP_BITS+12:STEP_BITS+1], walk[STEP_BITS-1:0]} == {trail, at, went_on, kept, tests} && cuts[our] == shortest);
       assert (kept == 2'd0 || (top ? place_0 : place_1) == last_entry);
       if (!(in_2[our] & puts_off)) assert (kept != 2'd2 || (top ? place_1 : place_0) == entry_before);
     end
@@ -238,13 +240,13 @@
       assert ({ended_3, again_3} == {says_ended, says_again});
       assert (!ended_3 || failed == says_failed);
       assert (!goes_3 || {wanted, triangles, enters_at, leaves_at} == says);
-      assert (!goes_3 || at_record == (triangles == 8'hff));
+      assert (!goes_3 || at_record == (&triangles));
     end
 
     // Each step of a walk is further, so walks end.
     if (in_3[our] & ~ended_3 & ~began) assert (measure_now > measure_before);
     if (on_walk) begin
-      assert (at <= 3'd3 && went_on <= 3'd4 && kept <= 2'd2 && tests <= most_before);
+      assert (at <= 3'd3 && went_on <= 3'd4 && kept <= 2'd2 && tests <= most_tests);
       // The children that are kept are of the deepest levels of which one waits. So one that is taken up is of the
       // deepest. Of a level that was passed the trail says whether a child waits.
       assert (kept == 2'd0 || (lowest != 4'd0 && lowest == 4'd1 << last_level));

@@ -120,7 +120,17 @@ struct Form {
   bool weights = false;
   int cache_kib = 0, data_bits = 256, cache_line = 64;
   bool rings = false;
+  bool narrow = false;  ///< with few bits of triangle numbers, leaf counts and steps
 };
+
+/// What the picture needs, and no more.
+void make_narrow(rtl::CoreOptions& options, const CorePicture& picture) {
+  options.number_bits = picture.image.header.number_bits();
+  options.leaf_bits = picture.image.header.leaf_bits();
+  options.step_bits = 6;
+  EXPECT_EQ(options.number_bits, 9);
+  EXPECT_EQ(options.leaf_bits, 2);
+}
 
 /// In every format: with a fraction of T and of box distances, and with the smallest numbers.
 class CoreInVerilog : public testing::TestWithParam<Form> {};
@@ -138,6 +148,7 @@ TEST_P(CoreInVerilog, IsTheSameInEveryCycle) {
   options.cache_kib = GetParam().cache_kib;
   options.cache_line = GetParam().cache_line;
   options.data_bits = GetParam().data_bits;
+  if (GetParam().narrow) make_narrow(options, picture);
   MemoryOptions memory{.least_latency = 1, .most_latency = 60, .refused_percent = 20};
   memory.in_order = options.has_one_id();
   memory.reads_lines = options.has_cache();
@@ -160,11 +171,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Form{{24, 1, 14, 1, 24, 1}, 0}, Form{bits, 4, true}, Form{{24, 3, 14, 0, 32, 0}, 7, true},
                     Form{bits, 4, false, 4}, Form{bits, 0, false, 2, 64}, Form{bits, 4, true, 8, 512},
                     Form{bits, 4, false, 2, 128, 32}, Form{bits, 4, false, 2, 512, 32},
-                    Form{bits, 4, false, 0, 64, 64, true}, Form{hls::RayBits{}, 4, false, 4, 256, 64, true}),
+                    Form{bits, 4, false, 0, 64, 64, true}, Form{hls::RayBits{}, 4, false, 4, 256, 64, true},
+                    Form{bits, 4, false, 4, 64, 64, false, true},
+                    Form{bits, 0, false, 0, 256, 64, false, true}),
     [](const auto& each) {
       return rtl::Format(each.param.bits).identifier() +
              (each.param.triangle_interval == 0 ? "_serial" : "") + (each.param.weights ? "_weights" : "") +
-             (each.param.rings ? "_rings" : "") +
+             (each.param.rings ? "_rings" : "") + (each.param.narrow ? "_narrow" : "") +
              (each.param.cache_kib == 0 ? ""
                                         : fmt::format("_cache{}x{}x{}", each.param.cache_kib,
                                                       each.param.data_bits, each.param.cache_line));

@@ -1,11 +1,13 @@
 // A core whose image is damaged or whose memory gives errors: each answer is right or says why it has failed.
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "sim/core/core_bench.hpp"
 #include "sim/core/native_core.hpp"
+#include "sim/core/vector_scenes.hpp"
 #include "tests/sim/core/core_pictures.hpp"
 
 namespace hitpipe::sim::core_failures_test {
@@ -18,6 +20,15 @@ struct Answered {
   CorePicture picture{8, 12};
   std::vector<CoreAnswer> answers;
   CoreCounts counts;
+
+  /// The answers are all the same, but for those that have failed.
+  [[nodiscard]] bool agrees_with(const Answered& other) const {
+    return std::equal(answers.begin(), answers.end(), other.answers.begin(),
+                      [](const CoreAnswer& mine, const CoreAnswer& its) {
+                        return mine.failed || its.failed ||
+                               (mine.hit.triangle == its.hit.triangle && mine.hit.t == its.hit.t);
+                      });
+  }
 
   explicit Answered(const ref::CoreImage& image,
                     const MemoryOptions& memory = {.least_latency = 1, .most_latency = 20},
@@ -133,6 +144,125 @@ TEST_F(CoreWithADamagedImage, FailsRaysThatReadAnotherKind) {
   EXPECT_GT(triangle_for_record.failed(hls::unread_block), 100U);
   EXPECT_EQ(triangle_for_record.wrong(), 0U);
 }
+
+/// Tests of triangles, as CoreOptions::triangle_interval has them.
+class NarrowCore : public testing::TestWithParam<int> {
+ protected:
+  NarrowCore() { narrow_.triangle_interval = wide_.triangle_interval = GetParam(); }
+  [[nodiscard]] Answered narrow(const ref::CoreImage& image, std::uint32_t most_steps = 100) const {
+    return Answered(image, memory_, most_steps, narrow_);
+  }
+  [[nodiscard]] Answered wide(const ref::CoreImage& image, std::uint32_t most_steps = 100) const {
+    return Answered(image, memory_, most_steps, wide_);
+  }
+
+  const MemoryOptions memory_{.least_latency = 1, .most_latency = 20};
+  const CorePicture picture_{8, 4};
+  rtl::CoreOptions wide_ = options_of(8, 3), narrow_ = wide_;
+};
+
+/// The triangle that most rays meet has the largest number.
+TEST_P(NarrowCore, FailsRaysThatReadANumberThatDoesNotFit) {
+  narrow_.number_bits = 9;
+  const std::uint32_t count = picture_.image.header.triangles;
+  ASSERT_EQ(count, 288U);
+  std::vector<std::size_t> met(count);
+  for (const std::uint32_t triangle : CorePicture(8, 12).rays.triangles)
+    if (triangle < count) ++met[triangle];
+  const auto first = static_cast<std::uint32_t>(std::max_element(met.begin(), met.end()) - met.begin());
+  const auto with_largest = [&](std::uint32_t largest) {
+    return renumbered(picture_.image,
+                      [&](std::uint32_t number) { return largest - (number + count - first) % count; });
+  };
+  const ref::CoreImage fits = with_largest(510);
+  const Answered all = narrow(fits);
+  EXPECT_EQ(all.failed(hls::not_failed), all.answers.size());
+  EXPECT_TRUE(all.agrees_with(wide(fits)));
+  EXPECT_TRUE(std::any_of(all.answers.begin(), all.answers.end(),
+                          [](const CoreAnswer& answer) { return answer.hit.triangle == 510; }));
+  // The largest is all ones, or 0 in those bits.
+  for (const std::uint32_t largest : {511U, 512U, 0x1'01feU}) {
+    const ref::CoreImage large = with_largest(largest);
+    const Answered some = narrow(large);
+    EXPECT_GT(some.failed(hls::unread_block), 0U) << largest;
+    EXPECT_EQ(some.failed(hls::unread_block) + some.failed(hls::not_failed), some.answers.size()) << largest;
+    EXPECT_TRUE(some.agrees_with(wide(large))) << largest;
+    if (largest <= 512) {
+      EXPECT_GT(some.failed(hls::not_failed), 0U) << largest;
+    }
+  }
+}
+
+/// Of a record that is damaged; in two bits these are a record, no child, or a leaf of two.
+TEST_P(NarrowCore, FailsRaysThatReadACountThatDoesNotFit) {
+  narrow_.leaf_bits = 2;
+  const Answered all = narrow(picture_.image);
+  EXPECT_EQ(all.failed(hls::not_failed), all.answers.size());
+  EXPECT_EQ(all.wrong(), 0U);
+  const ref::CoreRecord root = ref::record_of(picture_.image.blocks[0]);
+  const ref::CoreRecord first = ref::record_of(picture_.image.blocks[root.pointer]);
+  for (const std::size_t child : {0U, 1U})
+    for (const int count : child == 0 ? std::vector{3, 6} : std::vector{4, 254}) {
+      ref::CoreImage image = picture_.image;
+      ref::CoreRecord large = first;
+      large.counts.at(child) = count;
+      image.blocks[root.pointer] = to_block(large, bits.coord);
+      const Answered led = narrow(image);
+      EXPECT_GT(led.failed(hls::outside_image), 0U) << count;
+      EXPECT_EQ(led.failed(hls::outside_image) + led.failed(hls::not_failed), led.answers.size()) << count;
+      EXPECT_EQ(led.wrong(), 0U) << count;
+    }
+}
+
+/// All triangles are in one leaf.
+TEST_P(NarrowCore, ReadsTheLargestLeafThatFits) {
+  narrow_.leaf_bits = 3;
+  ref::Scene heap = hills();
+  heap.mesh.materials.clear();
+  for (const int count : {6, 7}) {
+    heap.mesh.triangles.resize(1);
+    heap.mesh.triangles.resize(static_cast<std::size_t>(count), heap.mesh.triangles.front());
+    const auto scene = std::make_shared<const ref::IntScene>(
+        ref::int_scene(heap, world, {.build = {.max_triangles = count}}));
+    const ref::CoreImage image = ref::core_image(*scene);
+    ASSERT_EQ(image.header.most_in_leaf, count);
+    const ref::Mesh::Corners corners = scene->mesh.mesh.corners(0);
+    const glm::vec3 middle = (corners.a + corners.b + corners.c) / 3.0F, eye{0, 0.9F, 0};
+    const std::vector<AskedRay> asked(8, AskedRay{.ray = {.origin = eye, .direction = middle - eye}});
+    const PictureRays rays = listed_rays(scene, image, {world, boxes, 8}, asked);
+    const rtl::Core core = rtl::make_core(narrow_, library());
+    NativeCore native(core);
+    CoreBench bench(core, native, image, memory_);
+    std::vector<CoreAnswer> answers(rays.jobs.size());
+    bench.run(rays.jobs, answers);
+    for (const CoreAnswer& answer : answers) {
+      EXPECT_EQ(answer.failed, count == 6 ? hls::not_failed : hls::outside_image);
+      if (count == 6) {
+        EXPECT_EQ(answer.hit.triangle, 0U);
+      }
+    }
+    EXPECT_EQ(bench.counts().triangles, count == 6 ? 8U * 6 : 0U);
+  }
+}
+
+/// A register with a larger number than the core can count to is the largest that it can.
+TEST_P(NarrowCore, FailsRaysAtItsLargestStep) {
+  narrow_.step_bits = 4;
+  const Answered usual = wide(picture_.image, 15);
+  ASSERT_GT(usual.failed(hls::too_many_steps), 0U);
+  ASSERT_GT(usual.failed(hls::not_failed), 0U);
+  for (const std::uint32_t most : {15U, 16U, 100U, (1U << 20) - 1}) {
+    const Answered few = narrow(picture_.image, most);
+    EXPECT_EQ(few.failed(hls::too_many_steps), usual.failed(hls::too_many_steps)) << most;
+    EXPECT_EQ(few.failed(hls::not_failed), usual.failed(hls::not_failed)) << most;
+    EXPECT_EQ(few.counts.records, usual.counts.records) << most;
+    EXPECT_EQ(few.wrong(), 0U) << most;
+  }
+  EXPECT_GT(narrow(picture_.image, 14).failed(hls::too_many_steps), usual.failed(hls::too_many_steps));
+}
+
+INSTANTIATE_TEST_SUITE_P(Tests, NarrowCore, testing::Values(4, 0),
+                         [](const auto& each) { return each.param == 0 ? "Serial" : "Unit"; });
 
 class CoreWithErrors : public testing::TestWithParam<int> {};
 

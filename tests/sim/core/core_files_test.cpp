@@ -100,6 +100,23 @@ INSTANTIATE_TEST_SUITE_P(
               .block_rams = 26}},
         Kind{"Weights", {.bits = {12, 1, 7, 0, 12, 0}, .weights = true}},
         Kind{"Questions", {.bits = {12, 1, 7, 0, 12, 0}, .rays = 8, .questions = true}},
+        Kind{"Narrow",
+             {.bits = {12, 1, 7, 0, 12, 0},
+              .rays = 8,
+              .levels = 24,
+              .address_bits = 12,
+              .number_bits = 8,
+              .leaf_bits = 3,
+              .step_bits = 8},
+             true},
+        Kind{"NarrowWithQuestions",
+             {.bits = {12, 1, 7, 0, 12, 0},
+              .rays = 8,
+              .levels = 24,
+              .number_bits = 4,
+              .leaf_bits = 2,
+              .step_bits = 4,
+              .questions = true}},
         Kind{"HalfABlock", {.bits = {12, 1, 7, 0, 12, 0}, .rays = 40, .data_bits = 128}},
         Kind{"InOrderWithFewLevels", {.bits = {8, 0, 4, 0, 8, 0}, .levels = 5, .in_order = true}},
         Kind{"TwoBlocks", {.bits = {8, 0, 4, 0, 8, 0}, .data_bits = 512}},
@@ -221,6 +238,9 @@ TEST(Core, RefusesOptions) {
   };
   EXPECT_EQ(said({.rays = 257}), "rays in flight 257: allowed is 1 to 256");
   EXPECT_EQ(said({.address_bits = 28}), "bits of an address 32: allowed is 33 to 64");
+  EXPECT_EQ(said({.number_bits = 3}), "bits of a triangle's number 3: allowed is 4 to 32");
+  EXPECT_EQ(said({.leaf_bits = 9}), "bits of the number of triangles in a leaf 9: allowed is 2 to 8");
+  EXPECT_EQ(said({.step_bits = 21}), "bits of the number of steps 21: allowed is 4 to 20");
   EXPECT_EQ(said({.triangle_interval = 2}), "cycles from triangle to triangle 2: allowed is 3 to 64");
   EXPECT_THAT(said({.triangle_interval = 0, .weights = true}), HasSubstr("not with the serial test"));
   EXPECT_THAT(said({.bits = {25, 1, 11, 0, 20, 0}}), HasSubstr("core: there is no format 25+1/11s20"));

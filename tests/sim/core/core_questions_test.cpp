@@ -97,6 +97,7 @@ struct Form {
   bool weights = false;
   bool verilog = false;
   rtl::Door door = rtl::Door::integer;
+  bool narrow = false;  ///< as few bits as the image needs for triangle numbers and leaf counts
 };
 
 class CoreWithQuestions : public testing::TestWithParam<Form> {};
@@ -112,6 +113,13 @@ TEST_P(CoreWithQuestions, CountsAndWalksThroughAllCrossings) {
   options.weights = form.weights;
   options.door = form.door;
   options.questions = true;
+  if (form.narrow) {
+    options.number_bits = image.header.number_bits();
+    options.leaf_bits = image.header.leaf_bits();
+    options.step_bits = 7;
+    EXPECT_EQ(options.number_bits, 8);
+    EXPECT_EQ(options.leaf_bits, 2);
+  }
   MemoryOptions memory{.least_latency = 1, .most_latency = 60, .refused_percent = 20};
   memory.reads_lines = options.has_cache();
   const rtl::Core core = rtl::make_core(options, library());
@@ -145,6 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Form{"NoFinerOrigins", {8, 0, 4, 0, 8, 0}, 32, 2},
                     Form{"WithAFraction", {16, 2, 9, -1, 14, 3}, 32, 2},
                     Form{"InVerilog", bits, 12, 1, 4, 0, false, true},
+                    Form{"NarrowInVerilog", bits, 12, 1, 4, 0, false, true, rtl::Door::integer, true},
                     Form{"CachedInVerilog", bits, 12, 1, 8, 2, true, true},
                     Form{"FloatsInVerilog", bits, 12, 2, 4, 0, false, true, rtl::Door::binary32},
                     Form{"OfTheDefaultInVerilog", hls::RayBits{}, 12, 2, 8, 0, false, true}),

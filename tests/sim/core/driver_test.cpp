@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"
@@ -14,6 +15,8 @@
 
 namespace hitpipe::sim::driver_test {
 namespace {
+
+using testing::HasSubstr;
 
 /// Registers that keep what is written. Prints what the driver says of an image in the file FILE at ADDRESS, and what it
 /// wrote. REGISTER=VALUE changes a register before.
@@ -71,8 +74,9 @@ int main(int count, char** arguments) {
 class CoreDriver : public testing::Test {
  protected:
   CoreDriver() {
-    const rtl::Core core = rtl::make_core({.rays = 8, .levels = 30, .address_bits = 12, .byte_bits = 36},
-                                          rtl::library_called(rtl::default_library), "hitpipe_core");
+    const rtl::Core core = rtl::make_core(
+        {.rays = 8, .levels = 30, .address_bits = 12, .byte_bits = 36, .number_bits = 9, .leaf_bits = 2},
+        rtl::library_called(rtl::default_library), "hitpipe_core");
     host::write_files(folder_.path(), {{"hitpipe_core.h", rtl::c_header(core)}, {"main.c", program}});
     const rtl::ToolResult built =
         rtl::run_tool(folder_.path(), "gcc", "cc",
@@ -84,6 +88,11 @@ class CoreDriver : public testing::Test {
   std::string says(const std::string& bytes, const std::string& arguments) {
     host::write_file((folder_.path() / "image").string(), bytes);
     return rtl::run_tool(folder_.path(), "main", "./main", "image " + arguments).output;
+  }
+  /// Of blocks with that header.
+  std::string of(std::vector<ref::CoreBlock> blocks, const ref::CoreHeader& header) {
+    put_header(blocks, header);
+    return says(ref::core_image_bytes(blocks), "0x40");
   }
 
   host::ScratchFolder folder_{"core-driver"};
@@ -117,11 +126,25 @@ TEST_F(CoreDriver, SaysWhyItDoesNotStart) {
     EXPECT_EQ(says(bytes_, address), "the image ends above the core's last address, 0 writes");
 }
 
+TEST_F(CoreDriver, RefusesAnImageThatNeedsMoreBits) {
+  ref::CoreHeader header = image_.header;
+  ASSERT_EQ(header.triangles, 288U);
+  ASSERT_EQ(header.most_in_leaf, 2);
+  header.missing = 511 - header.triangles;
+  EXPECT_THAT(of(image_.blocks, header), HasSubstr("starts at 0x40")) << "the largest number is 510";
+  ++header.missing;
+  EXPECT_EQ(of(image_.blocks, header), "the mesh has more triangles than the core has numbers for, 0 writes");
+  header.missing = 0xffff'ffff;
+  EXPECT_EQ(of(image_.blocks, header), "the mesh has more triangles than the core has numbers for, 0 writes");
+  header = image_.header;
+  for (const int most : {3, 6, 255}) {
+    header.most_in_leaf = most;
+    EXPECT_EQ(of(image_.blocks, header),
+              "the image has leaves with more triangles than the core can count, 0 writes");
+  }
+}
+
 TEST_F(CoreDriver, RefusesAnImageThatIsNotTheCores) {
-  const auto of = [&](std::vector<ref::CoreBlock> blocks, const ref::CoreHeader& header) {
-    put_header(blocks, header);
-    return says(ref::core_image_bytes(blocks), "0x40");
-  };
   EXPECT_EQ(says(std::string(100'000, '\0'), "0x40"), "there is no image, 0 writes");
   EXPECT_EQ(says(bytes_.substr(0, 100), "0x40"), "there is no image, 0 writes");
   EXPECT_EQ(says(bytes_.substr(0, bytes_.size() - 1), "0x40"), "the image is cut, 0 writes");
@@ -129,7 +152,7 @@ TEST_F(CoreDriver, RefusesAnImageThatIsNotTheCores) {
   std::fill(half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2), half.end(), '\0');
   EXPECT_EQ(says(half, "0x40"), "the image was changed or half written, 0 writes");
   std::string later = bytes_;
-  later[39] = '\2';
+  later[39] = '\1';
   EXPECT_EQ(says(later, "0x40"), "the image has another version than the core's header, 0 writes");
   ref::CoreHeader header = image_.header;
   header.coord_bits = 16;

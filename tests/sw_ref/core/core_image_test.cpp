@@ -67,9 +67,10 @@ TEST(CoreHeader, HasItsFieldsInTheirPlaces) {
                           .levels = 17,
                           .triangles = 5,
                           .missing = 3,
+                          .most_in_leaf = 6,
                           .to_cube = {.offset = {1.0, -2.0, 0.5}, .scale = 0.25}};
   put_header(blocks, header);
-  EXPECT_EQ(blocks[1], (CoreBlock{0x0165'7069'7074'6968, 0x0000'0004'0000'1114, 0x0000'0003'0000'0005, 0}));
+  EXPECT_EQ(blocks[1], (CoreBlock{0x0265'7069'7074'6968, 0x0000'0004'0006'1114, 0x0000'0003'0000'0005, 0}));
   EXPECT_EQ(blocks[2], (CoreBlock{0x3ff0'0000'0000'0000, 0xc000'0000'0000'0000, 0x3fe0'0000'0000'0000, 0}));
   EXPECT_EQ(blocks[3], (CoreBlock{0x3fd0'0000'0000'0000, blocks[3][1], 0, 0}));
   const CoreHeader again = header_of(blocks);
@@ -77,6 +78,7 @@ TEST(CoreHeader, HasItsFieldsInTheirPlaces) {
   EXPECT_EQ(again.levels, 17);
   EXPECT_EQ(again.triangles, 5U);
   EXPECT_EQ(again.missing, 3U);
+  EXPECT_EQ(again.most_in_leaf, 6);
   EXPECT_EQ(again.to_cube.offset, header.to_cube.offset);
   EXPECT_EQ(again.to_cube.scale, 0.25);
 }
@@ -104,6 +106,7 @@ TEST(CoreImage, HoldsTheScene) {
     EXPECT_EQ(again.records, image.records);
     EXPECT_EQ(again.header.triangles, image.header.triangles);
     EXPECT_EQ(again.header.levels, image.header.levels);
+    EXPECT_EQ(again.header.most_in_leaf, image.header.most_in_leaf);
   }
 }
 
@@ -113,6 +116,24 @@ TEST(CoreImage, OfAnEmptyMeshHasARecordWithoutChildren) {
   const CoreImage image = core_image(int_scene(empty, {}));
   ASSERT_EQ(image.blocks.size(), 1U + header_blocks);
   EXPECT_EQ(checked_image(image.blocks).header.triangles, 0U);
+}
+
+/// All ones of either is no number.
+TEST(CoreHeader, SaysHowManyBitsACoreNeeds) {
+  const auto numbers = [](std::uint32_t triangles, std::uint32_t missing) {
+    return CoreHeader{.triangles = triangles, .missing = missing}.number_bits();
+  };
+  EXPECT_EQ(numbers(0, 0), 0);
+  EXPECT_EQ(numbers(15, 0), 4);
+  EXPECT_EQ(numbers(16, 0), 5);
+  EXPECT_EQ(numbers(15, 241), 9);
+  EXPECT_EQ(numbers(0xffff'ffff, 0), 32);
+  const auto leaves = [](int most) { return CoreHeader{.most_in_leaf = most}.leaf_bits(); };
+  EXPECT_EQ(leaves(2), 2);
+  EXPECT_EQ(leaves(3), 3);
+  EXPECT_EQ(leaves(6), 3);
+  EXPECT_EQ(leaves(7), 4);
+  EXPECT_EQ(leaves(CoreRecord::most_in_leaf), 8);
 }
 
 /// All triangles in one leaf.
@@ -192,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"Empty", [](auto& b) { b.clear(); }, "there is no header"},
         Damage{"Zeros", [](auto& b) { b.assign(b.size(), {}); }, "there is no header"},
         Damage{"OtherVersion", [](auto& b) { b[1][0] += std::uint64_t{1} << 56; },
-               "the image has version 2 of its layout; allowed is 1"},
+               "the image has version 3 of its layout; allowed is 2"},
         Damage{"TriangleInTheHeader", [](auto& b) { b[3][3] = b[last_triangle(b)][3]; }, differs,
                "as its word 11; allowed is 0"},
         Damage{"Cut", [](auto& b) { b.pop_back(); }, "blocks; allowed are", "a child lies outside the image"},
@@ -257,6 +278,11 @@ TEST(CoreHeader, IsRefusedWhenItDoesNotTellTheTruth) {
   CoreHeader header = image.header;
   ++header.levels;
   expect_refused(with(header), "levels, but its header says");
+  header = image.header;
+  for (const int lie : {-1, 1}) {
+    header.most_in_leaf = image.header.most_in_leaf + lie;
+    expect_refused(with(header), "triangles in a leaf, but its header says");
+  }
   header = image.header;
   --header.triangles;
   expect_refused(with(header), "triangles, but its header says");
