@@ -7,7 +7,7 @@ THREADED := ^host/|sw_ref/(trace|hierarchy)/|(render|whitted|int_tracer)_test
 # TEST_PATH=FOLDER: tests find programs in that folder only.
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
-.PHONY: demo test test-long test-designs build lint format bench sanitize threads fuzz mutants coverage prove prove-all-widths netlists hls-check alone fresh packages clean help
+.PHONY: demo test test-long test-designs build lint format bench sanitize threads fuzz mutants coverage prove prove-all-widths netlists hls-check alone fresh dist deb packages clean help
 
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
@@ -27,7 +27,9 @@ help:
 	@echo 'make netlists  the netlists in chip cells and standard cells equal the C++ for 10^5 vectors a design'
 	@echo 'make hls-check  C++14 tops with the integers in HITPIPE_VENDOR_AP_INT=DIR or HITPIPE_AC_TYPES=DIR, and by bambu'
 	@echo 'make alone     every source and header compiles by itself; FILES="WORD..." takes those whose path holds a word'
-	@echo 'make fresh     make demo and make test in a Debian 12 of its own with git and make only; needs root'
+	@echo 'make fresh     make demo and make test in a Debian 12 of its own, then README from the packages alone; needs root'
+	@echo 'make dist      the last commit as out/hitpipe-VERSION.tar.gz, with the hash of its sources'
+	@echo 'make deb       packages of Debian 12 from the last commit in out/deb; needs debhelper, dh-python and lintian'
 	@echo 'make clean     removes build folders and out/'
 
 packages:
@@ -35,7 +37,7 @@ packages:
 
 build: packages
 	@cmake --preset release >build.log 2>&1 || { cat build.log; exit 1; }
-	@cmake --build --preset release -j $(JOBS) --target hitpipe hitpipe_ref hitpipe_python
+	@cmake --build --preset release -j $(JOBS) --target hitpipe hitpipe_shell_files hitpipe_ref hitpipe_python
 
 demo: build
 	@build/hitpipe cosim int_slabs --bits 20/24 --scene spheres --width 512 --height 512 --referee --out out/demo
@@ -112,6 +114,14 @@ alone: packages
 
 fresh:
 	@cmake/fresh.sh
+	@cmake/deb.sh out/deb
+	@cmake/fresh.sh --packages out/deb
+
+dist:
+	@cmake/dist.sh out
+
+deb:
+	@cmake/deb.sh out/deb
 
 lint: packages
 	@clang-format --dry-run --Werror $(CXX_FILES)

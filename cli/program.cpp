@@ -18,6 +18,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/text/help.hpp"
+#include "cli/text/tools_text.hpp"
 #include "cli/version.hpp"
 #include "host/ending.hpp"
 #include "host/text.hpp"
@@ -110,15 +111,16 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
 
 }  // namespace
 
-int run(int argc, char** argv) {
-  host::end_by_signals_cleanly();
-  CLI::App program("Ray-box test units from one C++ source: emit, simulate, judge, price.", "hitpipe");
-  program.set_version_flag("--version", std::string(program_and_sources()), "Print the version and exit");
+void fill(CLI::App& program, int& exit_code) {
+  program.name("hitpipe");
+  program.description("Ray-box test units from one C++ source: emit, simulate, judge, price.");
+  program.set_version_flag("--version", std::string(program_and_sources()),
+                           "Print the version, and which tools are found");
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.require_subcommand(1);
   program.formatter(std::make_shared<HelpFormatter>());
-  int exit_code = 0;
   add_commands(program, exit_code);
+  add_talk_options(program);
   program.footer(
       "`hitpipe help COMMAND` tells more of each. A first try:\n"
       "  hitpipe cosim int_slabs --scene spheres --out out\n"
@@ -126,11 +128,20 @@ int run(int argc, char** argv) {
       "  0  good\n"
       "  1  the hardware or a picture is wrong\n"
       "  2  asked wrongly, or a file cannot be used");
+}
+
+int run(int argc, char** argv) {
+  host::end_by_signals_cleanly();
+  CLI::App program;
+  int exit_code = 0;
+  fill(program, exit_code);
   try {
     program.alias(argv[0]);  // commands that print commands call it so
     std::vector<std::string> words(argv + 1, argv + argc);
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     program.parse(std::move(words));
+  } catch (const CLI::CallForVersion&) {
+    fmt::print("{}\n{}", program_and_sources(), tools_text());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // help or version was asked for
     print_error(usage_error(program, error));

@@ -5,10 +5,10 @@
 
 namespace hitpipe::cli {
 
-/// "hitpipe 0.1.0"
+/// "hitpipe 1.2.3"
 [[nodiscard]] std::string_view program_version();
 
-/// "hitpipe 0.1.0 (3f9a2c1d)", with the first 32 bits of a hash of the sources that results depend on. It
+/// "hitpipe 1.2.3 (3f9a2c1d)", with the first 32 bits of a hash of the sources that results depend on. It
 /// does not depend on machine, folder or compiler.
 [[nodiscard]] std::string_view program_and_sources();
 

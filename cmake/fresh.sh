@@ -1,7 +1,9 @@
 #!/bin/bash
 # fresh.sh [COMMAND...]: runs the README's commands in a Debian 12 that has only git and make, from a clone of the last commit, and says
-# how long each took. The Debian comes from the mirror that this machine's apt uses. Its folder in TMPDIR takes some 6 GB and goes at the
-# end; its mounts are seen by no other process and end with this one.
+# how long each took.
+# fresh.sh --packages FOLDER [COMMAND...]: without a clone, with the Debian packages of FOLDER; runs tests/release/from_outside.py.
+# The Debian comes from the mirror that this machine's apt uses. Its folder in TMPDIR takes some 6 GB and goes at the end; its mounts are
+# seen by no other process and end with this one.
 set -euo pipefail
 fail() {
   echo "fresh: $1" >&2
@@ -24,7 +26,12 @@ if [ "${1:-}" = --in ]; then
   mount -t devpts -o newinstance,ptmxmode=0666 devpts "$root/dev/pts" && ln -sf pts/ptmx "$root/dev/ptmx" ||
     echo 'fresh: no /dev/pts' >&2
   mkdir -p "$root/dev/shm" && mount -t tmpfs shm "$root/dev/shm" || echo 'fresh: no /dev/shm' >&2
-  git clone -q --no-hardlinks "$tree" "$root/hitpipe"
+  if [ -n "${PACKAGES:-}" ]; then
+    mkdir "$root/hitpipe"
+    cp "$PACKAGES"/*.deb tests/release/from_outside.py "$root/hitpipe"
+  else
+    git clone -q --no-hardlinks "$tree" "$root/hitpipe"
+  fi
   for command in "$@"; do
     begin=$SECONDS
     chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin ${http_proxy:+http_proxy="$http_proxy"} \
@@ -36,11 +43,19 @@ if [ "${1:-}" = --in ]; then
   exit
 fi
 
+if [ "${1:-}" = --packages ]; then
+  PACKAGES=$(cd "$2" && pwd)
+  export PACKAGES
+  shift 2
+  # What README asks for beside the packages and what they recommend.
+  [ $# -gt 0 ] || set -- 'apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq ./*.deb pkg-config nextpnr-ice40 fpga-icestorm > apt.log 2>&1' \
+    'cd /root && python3 /hitpipe/from_outside.py'
+fi
 [ $# -gt 0 ] || set -- 'make demo' 'make test'
 cd "$(dirname "$0")/.."
 if [ "$(id -u)" -ne 0 ]; then
   command -v sudo > /dev/null || fail 'a fresh Debian needs root or sudo'
-  exec sudo "$PWD/cmake/fresh.sh" "$@"
+  exec sudo --preserve-env=PACKAGES "$PWD/cmake/fresh.sh" "$@"
 fi
 cmake/install-packages.sh debootstrap
 folder=$(mktemp -d)

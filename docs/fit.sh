@@ -53,4 +53,4 @@ table cost.csv '{ printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s
   $at["bits_before"], of("search_cost_before", 3), $at["bits"], dropped(), of("search_cost", 3),
   of("area_after_mm2", 4), pruned(), of("extra_box_tests_pct", 2), of("extra_triangle_tests_pct", 2) }'
 echo
-echo "By \`docs/fit.sh bunny_box.ply\`, $("$program" --version | cut -d" " -f1,2)."
+echo "By \`docs/fit.sh bunny_box.ply\`, $("$program" --version | head -n 1 | cut -d" " -f1,2)."

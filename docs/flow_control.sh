@@ -75,4 +75,4 @@ for unit in "${units[@]}"; do
   rows $unit on_ice40 on_xc7
 done
 echo
-echo "By \`docs/flow_control.sh\`, $(build/hitpipe --version | cut -d" " -f1,2)."
+echo "By \`docs/flow_control.sh\`, $(build/hitpipe --version | head -n 1 | cut -d" " -f1,2)."

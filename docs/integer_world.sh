@@ -24,4 +24,4 @@ for scene in $(build/hitpipe list scenes --format csv | tail -n +2 | cut -d, -f1
     }' "$rows"
 done
 echo
-echo "By \`docs/integer_world.sh $size\`, $(build/hitpipe --version | cut -d" " -f1,2)."
+echo "By \`docs/integer_world.sh $size\`, $(build/hitpipe --version | head -n 1 | cut -d" " -f1,2)."

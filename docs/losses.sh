@@ -30,4 +30,4 @@ for scene in spheres poppy statue city reading_room "$folder/slivers.obj"; do
   echo
 done
 echo
-echo "By \`docs/losses.sh\`, $(build/hitpipe --version | cut -d" " -f1,2)."
+echo "By \`docs/losses.sh\`, $(build/hitpipe --version | head -n 1 | cut -d" " -f1,2)."

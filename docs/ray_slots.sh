@@ -25,4 +25,4 @@ for unit in 'int_slabs 20/24' 'int_plucker 20/24' 'int_major 20+1/13' 'int_major
   done
 done
 echo
-echo "By \`docs/ray_slots.sh\`, $(build/hitpipe --version | cut -d" " -f1,2)."
+echo "By \`docs/ray_slots.sh\`, $(build/hitpipe --version | head -n 1 | cut -d" " -f1,2)."

@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "host/ending.hpp"
+#include "host/talk.hpp"
 #include "host/text.hpp"
 
 namespace hitpipe::host {
@@ -217,6 +218,11 @@ Outcome run(const std::vector<std::string>& words, const RunOptions& options) {
     if (!std::filesystem::is_directory(folder))
       throw std::runtime_error(fmt::format("{}: no such folder", folder.string()));
     actions.enter(folder);
+  }
+  if (talk() == Talk::verbose) {
+    std::string line = "runs";
+    for (const std::string& word : words) line.append(" ").append(shell_word(word));
+    note_step(folder.empty() ? line : fmt::format("{} in {}", line, folder.string()));
   }
   const Descriptor in = file_of(options.input);
   Pipe out = make_pipe();

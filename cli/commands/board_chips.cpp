@@ -10,6 +10,7 @@
 
 #include "cli/text/implementation_text.hpp"
 #include "cli/text/progress.hpp"
+#include "host/talk.hpp"
 #include "rtl_gen/catalogue/format.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/implement/board_implementation.hpp"
@@ -48,7 +49,7 @@ int report(const OnBoard& on, Row row, OutputFormat format) {
               {"bitstream_bytes", bitstream ? Row(std::filesystem::file_size(*bitstream)) : Row(nullptr)},
               {"tools", fmt::format("{}", fmt::join(chip.tools, "; "))}});
   fmt::print("{}", record_text(row, format));
-  if (!chip.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
+  if (!chip.drawn) host::note(std::string(rtl::not_drawn));
   if (bitstream) return 0;
   fmt::print(stderr, "hitpipe: {} on {} {}\n", on.what, on.board.name, obstacle(chip, on.board));
   return 1;

@@ -25,6 +25,7 @@
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
+#include "host/talk.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/cosim/cosim.hpp"
@@ -237,7 +238,7 @@ int cosimulate_boxes(const CosimCommand& command, const CLI::App& parsed, std::o
     row["schematics"] = schematics(command.out, written);
   }
   fmt::print("{}", record_text(row, command.format));
-  if (!written.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
+  if (!written.drawn) host::note(std::string(rtl::not_drawn));
   const bool must_not_miss = design.conservative && command.referee;
   if (result.verified(must_not_miss)) return 0;
   const std::string false_misses =

@@ -21,6 +21,7 @@
 #include "cli/text/scene_text.hpp"
 #include "cli/text/sweep_rows.hpp"
 #include "host/files.hpp"
+#include "host/talk.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/fit/fit_scene.hpp"
 #include "sim/generic_tracer.hpp"
@@ -268,7 +269,7 @@ int fit(const FitCommand& command) {
   }
   steps.end();
   fmt::print("{}", reports_text(reports, counted, scene, command.hierarchy.text(), command.format));
-  if (!drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
+  if (!drawn) host::note(std::string(rtl::not_drawn));
   int exit_code = 0;
   for (const FitReport& report : reports) {
     const std::string wrong = wrong_text(report);

@@ -17,6 +17,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "host/talk.hpp"
 #include "host/text.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
@@ -163,7 +164,7 @@ int implement(const ImplementCommand& command) {
     if (command.format == OutputFormat::text) fmt::print("{}", clock_table(tried));
   }
   keep_and_print(row, folder / (unit.module + "_implementation.json"), command.format);
-  if (!unit.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
+  if (!unit.drawn) host::note(std::string(rtl::not_drawn));
   std::string what = fault_of(target, unit);
   if (what.empty()) return 0;
   if (!unit.excess().empty() && (!unit.simulated || unit.simulated->agrees)) {

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "area_model/price.hpp"
@@ -30,6 +31,7 @@
 #include "cli/version.hpp"
 #include "host/machine.hpp"
 #include "host/outputs.hpp"
+#include "host/talk.hpp"
 #include "sim/fit/fit_scene.hpp"
 #include "sim/generic_tracer.hpp"
 #include "sim/software.hpp"
@@ -74,11 +76,11 @@ std::string options_given(const CLI::App& command, Given which, const ref::Hiera
   std::string text;
   for (const CLI::Option* const option : command.get_options()) {
     const std::string name = option->get_name();
-    const bool of_scene = name != "--out" && name != "--plot-width" && name != "--rows" && name != "--bits" &&
-                          name != "--ii" && !name.starts_with("--image-") && name != "--tests" &&
-                          name != "--seed" && name != "--threads" && name != "--format" &&
-                          name != "--faces" && name != "--fit" && name != "--without" &&
-                          !option->get_positional();
+    const bool of_scene =
+        name != "--out" && name != "--plot-width" && name != "--rows" && name != "--bits" && name != "--ii" &&
+        !name.starts_with("--image-") && name != "--tests" && name != "--seed" && name != "--threads" &&
+        name != "--format" && name != "--faces" && name != "--fit" && name != "--without" &&
+        std::ranges::find(talk_options(), name) == talk_options().end() && !option->get_positional();
     const bool of_cost = name == "--library" || name == "--tests-only" || name.starts_with("--triangle-");
     const bool of_picture = name == "--width" || name == "--height" || name == "--bounces" ||
                             name == "--diffuse" || name == "--occlusion" || name == "--light-seed";
@@ -225,6 +227,9 @@ Row plan_of(const ReportCommand& command, const CLI::App& options) {
            {"command", command_line(options)},
            {"out", command.out},
            {"threads", Row::array()},
+           {"talk", host::talk() == host::Talk::quiet     ? Row{"--quiet"}
+                    : host::talk() == host::Talk::verbose ? Row{"--verbose"}
+                                                          : Row::array()},
            {"plot_width_mm", command.plot_width_mm ? Row(*command.plot_width_mm) : Row(nullptr)},
            {"format", command.format == OutputFormat::json  ? "json"
                       : command.format == OutputFormat::csv ? "csv"
@@ -281,7 +286,9 @@ Row plan_of(const ReportCommand& command, const CLI::App& options) {
 /// Becomes the program that makes the report, so that signals and the exit code are its own.
 void report(const ReportCommand& command, const CLI::App& options) {
   std::vector<std::string> words = python_program("report", "report.py");
-  words.push_back(plan_of(command, options).dump());
+  const std::string plan = plan_of(command, options).dump();
+  host::note_step(fmt::format("runs {}", fmt::join(words, " ")));
+  words.push_back(plan);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);

@@ -10,6 +10,7 @@
 #include "cli/options/values.hpp"
 #include "cli/text/help.hpp"
 #include "cli/text/table.hpp"
+#include "host/talk.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/result_fifo.hpp"
@@ -81,7 +82,7 @@ void emit_rtl(const RtlOptions& options) {
                 {"vectors", vectors.size()},
                 {"files", names}};
   fmt::print("{}", record_text(row, options.format));
-  if (!written.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
+  if (!written.drawn) host::note(std::string(rtl::not_drawn));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
+#include "host/talk.hpp"
 
 namespace hitpipe::cli {
 
@@ -37,7 +38,7 @@ std::vector<const rtl::Design*> priced_by(const rtl::Library& library,
     const std::string why = sim::why_not_priced(*design, design->default_format, library);
     if (why.empty()) return false;
     if (named) throw std::runtime_error(why);
-    fmt::print(stderr, "hitpipe: left out: {}\n", why);
+    host::note(fmt::format("left out: {}", why));
     return true;
   });
   return designs;

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/options/values.hpp"
+#include "host/talk.hpp"
 #include "host/text.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/schedule/sharing.hpp"
@@ -74,7 +75,7 @@ std::vector<const rtl::Design*> DesignsChoice::designs(WhyNot why_not) const {
     if (why.empty()) {
       chosen.push_back(&design);
     } else {
-      fmt::print(stderr, "hitpipe: {}; left out\n", why);
+      host::note(fmt::format("{}; left out", why));
     }
   }
   return chosen;

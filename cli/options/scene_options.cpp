@@ -10,10 +10,10 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "cli/options/values.hpp"
 #include "cli/text/scene_text.hpp"
+#include "host/talk.hpp"
 #include "host/text.hpp"
 #include "sw_ref/render/camera.hpp"
 #include "sw_ref/scene/built_in.hpp"
@@ -66,8 +66,7 @@ ref::CubeChoice parse_cube(const std::string& text) {
 void say_lost(const std::string& text, bool strict) {
   if (text.empty()) return;
   if (strict) throw std::runtime_error(text);
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  fmt::print(stderr, "{}hitpipe: {}\n", terminal ? "\r\x1b[K" : "", text);
+  host::note(text);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class Sections:
         self.plan = plan
         self.out = pathlib.Path(plan["out"])
         self.out.mkdir(parents=True, exist_ok=True)
-        self.steps = Steps(plan["program"], plan["version"], self.out, plan["threads"])
+        self.steps = Steps(plan["program"], plan["version"], self.out, plan["threads"], plan["talk"])
         self.sweep_options, self.scene_options, self.view_options, self.library = (
             shlex.split(plan[name]) for name in ("sweep_options", "scene_options", "view_options", "library_option"))
         self.width = plan["plot_width_mm"]

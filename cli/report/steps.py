@@ -64,8 +64,10 @@ def die_with_parent() -> None:
 class Steps:
     """Runs commands, those of a step side by side, and knows which files are there already."""
 
-    def __init__(self, program: str, version: str, folder: pathlib.Path, more: Sequence[str]) -> None:
+    def __init__(self, program: str, version: str, folder: pathlib.Path, more: Sequence[str],
+                 talk: Sequence[str]) -> None:
         self.program, self.version, self.folder, self.more = program, version, folder, list(more)
+        self.talk = list(talk)  # --quiet, --verbose or nothing
         self.wrong = False  # a command counted something that must be 0
         self.commands: dict[str, list[str]] = {}  # of each file, as the page prints them
         self.children: set[subprocess.Popen[str]] = set()
@@ -100,7 +102,7 @@ class Steps:
         arguments = [str(self.folder / word.name) if isinstance(word, Out) else word for word in words]
         if self.stopped:
             raise Stopped(self.stopped)
-        child = subprocess.Popen([self.program, *arguments, *self.more], stdout=subprocess.PIPE, text=True,
+        child = subprocess.Popen([self.program, *arguments, *self.more, *self.talk], stdout=subprocess.PIPE, text=True,
                                  stderr=subprocess.PIPE if may_fail or quiet else None, preexec_fn=die_with_parent)
         self.children.add(child)
         out, err = child.communicate()
@@ -135,8 +137,9 @@ class Steps:
             known.get("files", {}).get(file) == (file_hash(self.folder / file) or None) for file in files)
         if kept:
             self.wrong = self.wrong or known["wrong"]
-            print(f"{name}: kept, made by the same command", file=sys.stderr, flush=True)
-        elif sys.stderr.isatty():
+            if self.talk != ["--quiet"]:
+                print(f"{name}: kept, made by the same command", file=sys.stderr, flush=True)
+        elif self.talk == ["--verbose"] or not self.talk and sys.stderr.isatty():
             print(f"hitpipe: making {name}", file=sys.stderr, flush=True)
         return kept
 

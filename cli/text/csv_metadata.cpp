@@ -68,7 +68,7 @@ std::string command_line(const CLI::App& command, const std::vector<std::string>
   for (const CLI::Option* const option : command.get_options()) {
     if (option->count() == 0 && is_in(always, option))
       text += " " + option->get_name() + " " + option->get_default_str();
-    if (option->count() == 0 || is_in(without, option)) continue;
+    if (option->count() == 0 || is_in(without, option) || is_in(talk_options(), option)) continue;
     const bool flag = option->get_items_expected_max() == 0;
     std::vector<std::string> words = flag ? std::vector<std::string>{} : option->results();
     const bool list = !option->get_positional() && option->get_delimiter() != '\0';

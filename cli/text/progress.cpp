@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "host/talk.hpp"
+
 namespace hitpipe::cli {
 
 namespace {
@@ -25,7 +27,12 @@ std::string duration_text(std::chrono::seconds duration) {
 }
 
 Progress::Progress(std::string what, const Pace& pace)
-    : what_(std::move(what)), pace_(pace), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()) {
+    : what_(std::move(what)),
+      pace_(pace),
+      terminal_(isatty(STDERR_FILENO) != 0 && host::talk() == host::Talk::usual),
+      start_(Clock::now()) {
+  if (host::talk() == host::Talk::quiet) return;
+  host::note_step(what_);
   if (terminal_) fmt::print(stderr, "{} ...", what_);
   writer_ = std::thread([this] { write_until_the_end(); });
 }
@@ -36,7 +43,7 @@ Progress::~Progress() {
     ended_ = true;
   }
   end_.notify_one();
-  writer_.join();
+  if (writer_.joinable()) writer_.join();
   if (terminal_) fmt::print(stderr, "\r\x1b[K");
 }
 

@@ -1,5 +1,6 @@
 // Shows on standard error what is being done, how much of it is finished and how long the rest takes. On a
-// terminal that is one line, which disappears at the end. Elsewhere it is a line every ten seconds.
+// terminal that is one line, which disappears at the end. Elsewhere it is a line every ten seconds. A program that is
+// quiet shows nothing, and one that is verbose has a line at the begin.
 #pragma once
 
 #include <chrono>

@@ -102,7 +102,7 @@ TEST(HelpOfTheProgram, ListsTheCommandsAndAFirstTry) {
   for (const char* const purpose :
        {"Take a unit", "Judge it", "Choose it", "Put it onto a chip", "Take a whole core", "The thesis"})
     EXPECT_THAT(help, HasSubstr("\n\n" + std::string(purpose) + ":\n"));
-  EXPECT_LE(lines_of(help).size(), 40U) << help;
+  EXPECT_LE(lines_of(help).size(), 44U) << help;
   EXPECT_THAT(help, HasSubstr("  hitpipe cosim int_slabs --scene spheres --out out\n"));
 }
 
@@ -177,10 +177,11 @@ TEST(HelpOfCommands, EndsWithExamplesThatAreUnderstood) {
   }
 }
 
-TEST(Version, IsOneLine) {
+TEST(Version, BeginsWithOneLine) {
   const Outcome outcome = run_hitpipe({"--version"});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_THAT(outcome.out, testing::MatchesRegex("hitpipe [0-9]+\\.[0-9]+\\.[0-9]+ \\([0-9a-f]{8}\\)\n"));
+  EXPECT_THAT(outcome.out,
+              testing::MatchesRegex("hitpipe [0-9]+\\.[0-9]+\\.[0-9]+ \\([0-9a-f]{8}\\)\n(.*\n){3}"));
 }
 
 TEST(CommandLine, WithoutCommandRejected) {

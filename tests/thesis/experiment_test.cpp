@@ -59,7 +59,7 @@ TEST(Experiments, TimesHaveIntervalsFromSixRunsOn) {
   options.only = {"Spheres"};
   for (const int repeats : {5, 6}) {
     options.repeats = repeats;
-    const ResultTable table = find_experiment("4.1").run(options);
+    const ResultTable table = find_experiment("4.1").run("4.1", options);
     const ResultRow& times = row_of(table, {"Spheres", "time"});
     ASSERT_EQ(times.intervals.size(), table.columns.size());
     EXPECT_FALSE(times.intervals[0]) << "it is 1 by definition";

@@ -44,7 +44,7 @@ typedef enum hitpipe_status {
  * in this thread. */
 HITPIPE_API const char* hitpipe_error(void);
 
-/* "0.1.0" */
+/* For example "0.2.0"; the second number changes when this interface does. */
 HITPIPE_API const char* hitpipe_version(void);
 
 /* ---- Rays and boxes ---- */
