@@ -90,6 +90,8 @@ class Log:
             found = [s * 10.0**d for d in decades for s in steps if from_value <= s * 10.0**d <= self.high]
             if len(found) >= 3:
                 break
+        if len(found) < 2:  # no round number lies there
+            found = [from_value * (self.high / from_value) ** share for share in (0.1, 0.5, 0.9)]
         return found[::1 + (len(found) - 1) // 7]
 
     def apply(self, ax: Axes, which: str) -> None:

@@ -42,6 +42,12 @@ class Axes(unittest.TestCase):
             self.assertTrue(all(axis.low <= tick <= axis.high for tick in axis.ticks()), values)
         self.assertGreaterEqual(len(plots.Log([1, 2]).ticks()), 3)
 
+    def test_have_ticks_where_no_round_number_lies(self) -> None:
+        axis = plots.Log([0, 1e-9])
+        axis.low, axis.high, axis.floor = 3.31, 3.33, None
+        self.assertEqual(len(axis.ticks()), 3)
+        self.assertTrue(all(axis.low <= tick <= axis.high for tick in axis.ticks()))
+
     def test_have_what_is_not_above_zero_at_their_end(self) -> None:
         axis = plots.Log([-2, 0, 1, 10])
         self.assertEqual(axis.shown(-2), axis.shown(0))
