@@ -88,6 +88,7 @@ ResultTable leaf_sizes(std::string_view number, const ExperimentOptions& options
     const ref::Middle build = ref::middle_ratio(step.build_seconds, of_unit.build_seconds);
     row.ours = {render.median, build.median, step.nodes};
     row.intervals = {render.interval, build.interval, std::nullopt};
+    drop_empty_intervals(row);
   }
   if (scene) {
     const auto row_of = [&](int size) -> const ResultRow& {

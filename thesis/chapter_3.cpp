@@ -82,6 +82,7 @@ ResultTable box_test_times(std::string_view number, const ExperimentOptions& opt
                                 ? std::nullopt
                                 : std::optional(*thesis->number(printed_columns[i]) / printed_unit));
     }
+    drop_empty_intervals(row);
     table.rows.push_back(std::move(row));
   }
   const auto add = [&](const std::string& claim, std::string_view faster, std::string_view slower) {

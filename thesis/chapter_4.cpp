@@ -140,6 +140,7 @@ ResultTable traversal_times(std::string_view number, const ExperimentOptions& op
         different += measurement.different;
       }
     }
+    drop_empty_intervals(times);
     table.rows.push_back(std::move(times));
     table.rows.push_back(std::move(boxes));
     options.progress(static_cast<double>(i + 1) / static_cast<double>(scenes.size()));

@@ -98,6 +98,7 @@ void fill_times(const SceneResult& scene, const std::string& metric, ResultRow& 
     row.ours[i] = 100.0 * (ratio.median - 1.0);
     row.intervals[i] = percent_more(ratio);
   }
+  drop_empty_intervals(row);
 }
 
 /// The float value, then memory as a value and everything else as an increase in percent.

@@ -2,6 +2,7 @@
 // thesis's findings hold in this run.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -53,6 +54,11 @@ inline constexpr const char* starts_inside =
 [[nodiscard]] inline std::optional<Interval> percent_more(const ref::Middle& ratio) {
   if (!ratio.interval) return std::nullopt;
   return Interval{100 * (ratio.interval->low - 1), 100 * (ratio.interval->high - 1)};
+}
+/// Rows of too few runs have none.
+inline void drop_empty_intervals(ResultRow& row) {
+  const auto is_some = [](const std::optional<Interval>& each) { return each.has_value(); };
+  if (std::none_of(row.intervals.begin(), row.intervals.end(), is_some)) row.intervals.clear();
 }
 /// Fewer runs give no interval.
 inline constexpr int runs_of_interval = 6;

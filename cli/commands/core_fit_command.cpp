@@ -2,15 +2,14 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "area_model/figure.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/core_options.hpp"
 #include "cli/options/design_options.hpp"
@@ -18,6 +17,7 @@
 #include "cli/options/implement_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/core_fit_text.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/help.hpp"
 #include "cli/text/implementation_text.hpp"
@@ -61,38 +61,6 @@ struct FittedTrace {
   sim::CoreTrace trace;
   ref::IntError error;
 };
-
-std::string bits_text(const hls::RayBits& bits) {
-  return rtl::to_string(rtl::Format(bits));
-}
-
-Row price_row(const rtl::CoreOptions& core, const area::CorePartPrice& price, const sim::CoreRate& rate,
-              const rtl::Library& library) {
-  Row row{{"bits", bits_text(core.bits)},
-          {"rays_in_flight", core.rays},
-          {"triangle_ii", core.serial() ? Row("serial") : Row(core.triangle_interval)},
-          {"stack", 1 << core.stack_bits},
-          {"cache_kib", core.cache_kib},
-          {"levels", core.levels},
-          {"block_bits", core.address_bits},
-          {"address_bits", core.byte_bits},
-          {"tag_bits", core.tag_bits},
-          {"number_bits", core.number_bits},
-          {"leaf_bits", core.leaf_bits},
-          {"step_bits", core.step_bits}};
-  if (library.chip() == nullptr) {
-    row["area_mm2"] = area::area_mm2(price.area_um2);
-  } else {
-    row["lut"] = price.taken.luts;
-    row["ff"] = price.taken.registers;
-    row["dsp"] = price.taken.blocks;
-  }
-  row["memory_bits"] = price.memory_bits;
-  row["clock_ps"] = rate.clock_ps;
-  row["cycles_a_ray"] = *std::max_element(rate.cycles_a_ray.begin(), rate.cycles_a_ray.end());
-  row["mrays_s"] = rate.rays_per_second() / 1e6;
-  return row;
-}
 
 class Fitting {
  public:
@@ -244,8 +212,8 @@ class Fitting {
 
   int report() {
     Row core{{"core", "fitted"}}, usual{{"core", "default"}};
-    core.update(price_row(fit_->core, fit_->price.all, fit_->rate, library_));
-    usual.update(price_row(fit_->before, fit_->price_before.all, fit_->rate_before, library_));
+    core.update(core_row(fit_->core, fit_->price.all, fit_->rate, library_));
+    usual.update(core_row(fit_->before, fit_->price_before.all, fit_->rate_before, library_));
     std::vector<Row> tried, cuts, traced;
     for (const sim::TriedWorld& each : fit_->tried)
       tried.push_back({{"bits", rtl::to_string(rtl::Format(each.bits))},
@@ -317,20 +285,18 @@ class Fitting {
 };
 
 /// Options that a fit chooses unless they are given.
-sim::CoreFixed fixed_by(const CLI::App& command) {
-  const auto given = [&](const char* option) { return command.get_option(option)->count() > 0; };
-  return {.rays = given("--rays"),
-          .stack = given("--stack"),
-          .triangles = given("--triangle-ii"),
-          .cache = given("--cache"),
-          .levels = given("--levels"),
-          .block_bits = given("--block-bits"),
-          .byte_bits = given("--address-bits"),
-          .tag_bits = given("--tag-bits"),
-          .number_bits = given("--number-bits"),
-          .leaf_bits = given("--leaf-bits"),
-          .step_bits = given("--step-bits")};
-}
+constexpr std::pair<const char*, bool sim::CoreFixed::*> chosen_by_fit[] = {
+    {"--rays", &sim::CoreFixed::rays},
+    {"--stack", &sim::CoreFixed::stack},
+    {"--triangle-ii", &sim::CoreFixed::triangles},
+    {"--cache", &sim::CoreFixed::cache},
+    {"--levels", &sim::CoreFixed::levels},
+    {"--block-bits", &sim::CoreFixed::block_bits},
+    {"--address-bits", &sim::CoreFixed::byte_bits},
+    {"--tag-bits", &sim::CoreFixed::tag_bits},
+    {"--number-bits", &sim::CoreFixed::number_bits},
+    {"--leaf-bits", &sim::CoreFixed::leaf_bits},
+    {"--step-bits", &sim::CoreFixed::step_bits}};
 
 }  // namespace
 
@@ -382,17 +348,13 @@ CLI::App* add_core_fit_command(CLI::App& core, int& exit_code) {
   add_library_option(*command, options->library);
   CLI::Option* const target = add_target_option(*command, options->target);
   exclude(target, command->get_option("--library"), "a target has its library");
-  std::vector<CLI::Option*> chosen = add_one_core_options(*command, options->core);
-  for (CLI::Option* const option : add_core_cache_options(*command, options->core)) chosen.push_back(option);
-  for (CLI::Option* const option : add_core_port_options(*command, options->core)) chosen.push_back(option);
+  add_one_core_options(*command, options->core);
+  add_core_cache_options(*command, options->core);
+  add_core_port_options(*command, options->core);
+  add_core_limit_options(*command, options->core);
+  for (const auto& [option, fixed] : chosen_by_fit) command->get_option(option)->default_str("by the fit");
   add_count_option(*command, "--clock-ps", options->core.options.clock_ps, {1, 1'000'000'000},
                    "Clock period in picoseconds of the units; by default that of the slowest machine");
-  static const std::set<std::string> by_fit{"--rays",   "--stack",      "--triangle-ii",  "--cache",
-                                            "--levels", "--block-bits", "--address-bits", "--tag-bits"};
-  for (CLI::Option* const option : chosen)
-    if (by_fit.contains(option->get_name())) option->default_str("by the fit");
-  for (CLI::Option* const option : add_core_limit_options(*command, options->core))
-    option->default_str("by the fit");
   add_core_bus_options(*command, options->core);
   command
       ->add_option("--name", options->module,
@@ -403,11 +365,12 @@ CLI::App* add_core_fit_command(CLI::App& core, int& exit_code) {
       ->required();
   add_format_option(*command, options->format);
   add_examples(*command,
-               {"hitpipe core fit --scene spheres --out fitted",
-                "hitpipe core fit --scene spheres --bits 12+0s12 --target ice40_up5k --out fitted"});
+               {"hitpipe core fit --scene spheres --out core",
+                "hitpipe core fit --scene spheres --bits 12+0s12 --target ice40_up5k --out core"});
   command->callback([options, command, &exit_code] {
     options->hierarchy.build.threads = options->placing.threads;
-    options->fit.fixed = fixed_by(*command);
+    for (const auto& [option, fixed] : chosen_by_fit)
+      options->fit.fixed.*fixed = command->get_option(option)->count() > 0;
     exit_code = Fitting(*options, *command).run();
   });
   return command;

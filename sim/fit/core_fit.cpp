@@ -9,136 +9,22 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "hls/num/width.hpp"
-#include "rtl_gen/catalogue/format.hpp"
 #include "sim/core/core_trace.hpp"
 #include "sim/core/native_core.hpp"
-#include "sw_ref/world/int_error.hpp"
+#include "sim/fit/core_cuts.hpp"
+#include "sim/fit/world_search.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-/// Steps that a ray may make, against the most that one of the pictures makes: other rays go other ways.
-constexpr std::uint64_t spare_steps = 16;
-
-std::string text_of(const hls::WorldBits& world) {
-  return rtl::to_string(rtl::Format(world));
-}
-
-hls::RayBits with_world(hls::RayBits bits, const hls::WorldBits& world) {
-  bits.coord = world.coord;
-  bits.finer = world.finer;
-  bits.slope = world.slope;
-  bits.fraction = world.fraction;
-  bits.box_fraction = std::min(bits.box_fraction, world.finer + world.fraction);
-  return bits;
-}
-
 /// The fewest bits, 1 or more, that hold a number.
 int bits_for(std::uint64_t number) {
   int bits = 1;
   while (bits < 64 && number >> bits != 0) ++bits;
   return bits;
-}
-
-std::string boxes_text(const hls::RayBits& bits) {
-  return fmt::format("/{}", bits.mantissa) +
-         (bits.box_fraction == 0 ? "" : fmt::format("f{}", bits.box_fraction));
-}
-
-// The search for bits of coordinates.
-
-class WorldSearch {
- public:
-  WorldSearch(const std::vector<ref::Scene>& scenes, const CoreFitOptions& options)
-      : scenes_(scenes), options_(options) {}
-
-  /// The fewest bits of a corner with one finer bit of origins and as many bits of a slope. Then fewer of a slope, and no
-  /// finer bit, if the error allows it.
-  hls::WorldBits fewest() {
-    int least = hls::WorldBits::min_coord, most = hls::WorldBits::max_coord;
-    if (error(usual(most)) > options_.error_pct)
-      throw std::runtime_error(
-          fmt::format("--error {:g}: {:g} % of the rays differ with {}; allowed is that or more",
-                      options_.error_pct, error(usual(most)), text_of(usual(most))));
-    while (least < most) {
-      const int middle = (least + most) / 2;
-      if (error(usual(middle)) <= options_.error_pct)
-        most = middle;
-      else
-        least = middle + 1;
-    }
-    hls::WorldBits best = usual(least);
-    const auto improve = [&](const auto& change) {
-      hls::WorldBits next = best;
-      change(next);
-      if (!next.valid() || error(next) > options_.error_pct) return false;
-      best = next;
-      return true;
-    };
-    improve([](hls::WorldBits& bits) { bits.finer = 0; });
-    while (improve([](hls::WorldBits& bits) { --bits.slope; })) {
-    }
-    for (TriedWorld& each : tried_) each.taken = each.bits == best;
-    return best;
-  }
-  [[nodiscard]] std::vector<TriedWorld> tried() && { return std::move(tried_); }
-
- private:
-  static hls::WorldBits usual(int coord) { return {coord, 1, coord}; }
-
-  double error(const hls::WorldBits& bits) {
-    for (const TriedWorld& each : tried_)
-      if (each.bits == bits) return each.error_pct;
-    options_.progress("comparing rays in " + text_of(bits));
-    double most = 0;
-    for (const ref::Scene& scene : scenes_) {
-      ref::IntErrorOptions measured;
-      measured.world = bits;
-      measured.width = options_.width;
-      measured.height = options_.height;
-      measured.hierarchy = options_.hierarchy;
-      const ref::IntError found = ref::int_error(scene, measured);
-      most =
-          std::max(most, 100.0 * static_cast<double>(found.different_rays) / static_cast<double>(found.rays));
-    }
-    tried_.push_back({bits, most});
-    return most;
-  }
-
-  const std::vector<ref::Scene>& scenes_;
-  const CoreFitOptions& options_;
-  std::vector<TriedWorld> tried_;
-};
-
-// What the images need, by bounds.
-
-/// Of all scenes' headers the most.
-ref::CoreHeader needs_of(const std::vector<CoreFitScene>& scenes) {
-  ref::CoreHeader all;
-  for (const CoreFitScene& scene : scenes) {
-    const ref::CoreHeader& one = scene.image.header;
-    all.levels = std::max(all.levels, one.levels);
-    all.triangles = static_cast<std::uint32_t>(std::max<std::uint64_t>(all.triangles, one.in_source()));
-    all.most_in_leaf = std::max(all.most_in_leaf, one.most_in_leaf);
-  }
-  return all;
-}
-
-std::uint64_t most_blocks(const std::vector<CoreFitScene>& scenes) {
-  std::uint64_t most = 0;
-  for (const CoreFitScene& scene : scenes) most = std::max<std::uint64_t>(most, scene.image.blocks.size());
-  return most;
-}
-
-std::uint64_t most_steps(const std::vector<CoreFitScene>& scenes) {
-  std::uint64_t most = 0;
-  for (const CoreFitScene& scene : scenes) most = std::max(most, scene.most_steps);
-  return most;
 }
 
 /// Fits a core to scenes that are there in its bits.
@@ -179,7 +65,7 @@ class Search {
   void leave_room() {
     rtl::CoreOptions& core = fit_.core;
     const CoreFixed& fixed = options_.fixed;
-    const ref::CoreHeader needs = needs_of(fit_.scenes);
+    const CoreNeeds needs = needs_of(fit_.scenes);
     const auto at_least = [](const char* option, int& value, bool is_fixed, int least) {
       if (!is_fixed)
         value = least;
@@ -187,14 +73,13 @@ class Search {
         throw std::runtime_error(fmt::format("{} {}: the scenes need {}", option, value, least));
     };
     at_least("--levels", core.levels, fixed.levels, std::max(2, needs.levels));
-    at_least("--block-bits", core.address_bits, fixed.block_bits,
-             std::max(4, bits_for(most_blocks(fit_.scenes) - 1)));
+    at_least("--block-bits", core.address_bits, fixed.block_bits, std::max(4, bits_for(needs.blocks - 1)));
     at_least("--address-bits", core.byte_bits, fixed.byte_bits, core.address_bits + 5);
     at_least("--number-bits", core.number_bits, fixed.number_bits, std::max(4, bits_for(needs.triangles)));
-    at_least("--leaf-bits", core.leaf_bits, fixed.leaf_bits, std::max(2, bits_for(needs.most_in_leaf + 1U)));
+    at_least("--leaf-bits", core.leaf_bits, fixed.leaf_bits,
+             std::max(2, bits_for(static_cast<std::uint64_t>(needs.most_in_leaf) + 1)));
     if (!fixed.step_bits)
-      core.step_bits =
-          std::min(hls::step_count_bits, std::max(4, bits_for(spare_steps * most_steps(fit_.scenes))));
+      core.step_bits = std::min(hls::step_count_bits, std::max(4, bits_for(spare_steps * needs.steps)));
   }
 
   /// Blocks that the scenes' rays read, against those with `than`.
@@ -393,81 +278,6 @@ CoreFitScene scene_in(const ref::Scene& scene, const hls::RayBits& bits, const C
   return made;
 }
 
-/// What each cut saves: the fitted core without it. Cuts that save nothing are not listed.
-void list_cuts(CoreFit& fit, const CoreFitOptions& options, const rtl::Library& library) {
-  const ref::CoreHeader needs = needs_of(fit.scenes);
-  const rtl::CoreOptions &was = fit.before, &is = fit.core;
-  const auto cut = [&](std::string what, std::string why, const auto& undo) {
-    CoreCut made{std::move(what), std::move(why), is, {}};
-    undo(made.before);
-    try {
-      made.without = area::price(rtl::make_core(made.before, library), library).all;
-    } catch (const std::runtime_error&) {
-      return;  // no such core
-    }
-    if (size_of(made.without, library) != size_of(fit.price.all, library))
-      fit.cuts.push_back(std::move(made));
-  };
-  if (!(was.bits.world() == is.bits.world()))
-    cut(fmt::format("coordinates {} of {}", text_of(is.bits.world()), text_of(was.bits.world())),
-        options.fixed.world
-            ? "as asked"
-            : fmt::format("at most {:g} % of the rays find another triangle", options.error_pct),
-        [&](rtl::CoreOptions& core) { core.bits = with_world(is.bits, was.bits.world()); });
-  const auto number = [&](const char* what, int rtl::CoreOptions::*field, bool fixed, std::string why) {
-    if (is.*field == was.*field) return;
-    cut(fmt::format("{}: {} of {}", what, is.*field, was.*field), fixed ? "as asked" : std::move(why),
-        [&](rtl::CoreOptions& core) { core.*field = was.*field; });
-  };
-  const CoreFixed& fixed = options.fixed;
-  const std::string by_size = options.goal == CoreGoal::rate
-                                  ? "least size times blocks that are read"
-                                  : fmt::format("at most {:g} % more blocks are read", options.overhead_pct);
-  if (is.bits.mantissa != was.bits.mantissa || is.bits.box_fraction != was.bits.box_fraction)
-    cut(fmt::format("boxes {} of {}", boxes_text(is.bits), boxes_text(was.bits)),
-        fixed.boxes ? "as asked" : by_size, [&](rtl::CoreOptions& core) {
-          core.bits.mantissa = was.bits.mantissa;
-          core.bits.box_fraction = std::min(was.bits.box_fraction, core.bits.finer + core.bits.fraction);
-        });
-  number("levels", &rtl::CoreOptions::levels, fixed.levels,
-         fmt::format("a path has {} records", needs.levels));
-  number("bits of a block's number", &rtl::CoreOptions::address_bits, fixed.block_bits,
-         fmt::format("{} blocks", most_blocks(fit.scenes)));
-  number("bits of an address", &rtl::CoreOptions::byte_bits, fixed.byte_bits, "a memory for one image");
-  number("bits of a tag", &rtl::CoreOptions::tag_bits, fixed.tag_bits, "rays in flight have different ones");
-  number("bits of a triangle's number", &rtl::CoreOptions::number_bits, fixed.number_bits,
-         fmt::format("{} triangles", needs.triangles));
-  number("bits of a leaf's count", &rtl::CoreOptions::leaf_bits, fixed.leaf_bits,
-         fmt::format("a leaf has at most {} triangles", needs.most_in_leaf));
-  number("bits of the steps", &rtl::CoreOptions::step_bits, fixed.step_bits,
-         fmt::format("{} times the {} of a ray of the pictures", spare_steps, most_steps(fit.scenes)));
-  if (is.stack_bits != was.stack_bits)
-    cut(fmt::format("places of a stack: {} of {}", 1 << is.stack_bits, 1 << was.stack_bits),
-        fixed.stack ? "as asked" : by_size,
-        [&](rtl::CoreOptions& core) { core.stack_bits = was.stack_bits; });
-  const std::string by_rate = options.rays_per_second > 0
-                                  ? fmt::format("{:g} rays a second", options.rays_per_second)
-                              : options.goal == CoreGoal::rate ? "most rays a second"
-                                                               : "no rate is asked for";
-  number("rays in flight", &rtl::CoreOptions::rays, fixed.rays, by_rate);
-  const auto interval = [](int cycles) {
-    return cycles == 0 ? std::string("serial") : std::to_string(cycles);
-  };
-  if (is.triangle_interval != was.triangle_interval)
-    cut(fmt::format("cycles a triangle: {} of {}", interval(is.triangle_interval),
-                    interval(was.triangle_interval)),
-        fixed.triangles ? "as asked" : by_rate,
-        [&](rtl::CoreOptions& core) { core.triangle_interval = was.triangle_interval; });
-  number("KiB of the cache", &rtl::CoreOptions::cache_kib, fixed.cache, by_rate);
-  if (is.clock_ps != was.clock_ps)
-    cut(fmt::format("a clock of {} ps", is.clock_ps.value_or(0)),
-        options.core.clock_ps ? "as asked" : by_rate,
-        [&](rtl::CoreOptions& core) { core.clock_ps = was.clock_ps; });
-  std::stable_sort(fit.cuts.begin(), fit.cuts.end(), [&](const CoreCut& a, const CoreCut& b) {
-    return size_of(a.without, library) > size_of(b.without, library);
-  });
-}
-
 }  // namespace
 
 double CoreRate::rays_per_second() const {
@@ -496,9 +306,10 @@ CoreFit fit_core(const std::vector<ref::Scene>& scenes, const CoreFitOptions& op
               .cuts = {},
               .scenes = {}};
   if (!options.fixed.world) {
-    WorldSearch search(scenes, options);
-    fit.core.bits = with_world(fit.core.bits, search.fewest());
-    fit.tried = std::move(search).tried();
+    fit.tried = search_world(scenes, options);
+    const auto taken =
+        std::find_if(fit.tried.begin(), fit.tried.end(), [](const TriedWorld& each) { return each.taken; });
+    fit.core.bits = with_world(fit.core.bits, taken->bits);
   }
   for (const ref::Scene& scene : scenes) fit.scenes.push_back(scene_in(scene, fit.core.bits, options));
   Search search(options, library, fit);
@@ -516,7 +327,7 @@ CoreFit fit_core(const std::vector<ref::Scene>& scenes, const CoreFitOptions& op
   fit.price_before = area::price(rtl::make_core(fit.before, library), library);
   options.progress("tracing with the default core");
   fit.rate_before = search.rate_of(fit.before, usual);
-  list_cuts(fit, options, library);
+  fit.cuts = cuts_of(fit, options, library);
   return fit;
 }
 

@@ -63,10 +63,9 @@ std::uint64_t checksum_of(std::span<const CoreBlock> blocks) {
 
 void put_header(std::vector<CoreBlock>& blocks, const CoreHeader& header) {
   word(blocks, magic_word) = word_of(magic) | std::uint64_t{hls::image_version} << version_at;
-  word(blocks, sizes_word) = static_cast<std::uint64_t>(header.coord_bits) |
-                             static_cast<std::uint64_t>(header.levels) << 8 |
-                             static_cast<std::uint64_t>(header.most_in_leaf) << 16 |
-                             std::uint64_t{blocks.size()} << 32;
+  word(blocks, sizes_word) =
+      static_cast<std::uint64_t>(header.coord_bits) | static_cast<std::uint64_t>(header.levels) << 8 |
+      static_cast<std::uint64_t>(header.most_in_leaf) << 16 | std::uint64_t{blocks.size()} << 32;
   word(blocks, counts_word) = header.triangles | std::uint64_t{header.missing} << 32;
   for (std::size_t axis = 0; axis < 3; ++axis)
     word(blocks, offset_word + axis) =

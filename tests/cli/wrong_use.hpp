@@ -1,6 +1,6 @@
 // Wrong use of the program: one line that says what was wrong, where, and what is allowed; exit code 2; no
 // file. Each case is a line of words and the message. DIR is a folder, OUT a place in it where nothing may
-// appear, DESIGNS the list of designs. A message that ends in ";" goes on with the help of its command, and
+// appear, DESIGNS the list of designs, COMMANDS_OF_CORE that of the commands of `core`. A message that ends in ";" goes on with the help of its command, and
 // of one that ends in "..." only the beginning is compared.
 #pragma once
 
@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "cli/commands.hpp"
 #include "host/text.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "tests/cli/program.hpp"
@@ -36,12 +37,21 @@ class WrongUseOf : public testing::Test {
   void TearDown() override { EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / "results")); }
 
   [[nodiscard]] std::string filled(std::string text) const {
-    const std::pair<std::string, std::string> places[] = {
-        {"OUT", folder_.path() / "results/out"}, {"DIR", folder_.path()}, {"DESIGNS", rtl::design_names()}};
+    const std::pair<std::string, std::string> places[] = {{"OUT", folder_.path() / "results/out"},
+                                                          {"DIR", folder_.path()},
+                                                          {"DESIGNS", rtl::design_names()},
+                                                          {"COMMANDS_OF_CORE", commands_of_core()}};
     for (const auto& [name, value] : places)
       for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + value.size()))
         text.replace(at, name.size(), value);
     return text;
+  }
+  static std::string commands_of_core() {
+    std::string names;
+#define HITPIPE_ADD_NAME(purpose, name) names += std::string(names.empty() ? "" : ", ") + #name;
+    HITPIPE_CORE_COMMANDS(HITPIPE_ADD_NAME)
+#undef HITPIPE_ADD_NAME
+    return names;
   }
   /// A word '' is empty.
   void rejected(const std::vector<std::string>& words, std::string message,

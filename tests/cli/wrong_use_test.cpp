@@ -369,15 +369,9 @@ TEST_F(WrongUseOf, Words) {
        {"core trace --image ''", "--image: is empty; give the name of a file;"},
        {"core board --simulate --scene spheres",
         "--simulate excludes --scene: the other side has the scene;"},
-       {"core",
-        "a command is needed; there are: rtl, image, trace, area, implement, board; see hitpipe core "
-        "--help"},
-       {"core follow",
-        "follow: no such command; there are: rtl, image, trace, area, implement, board; see "
-        "hitpipe core --help"},
-       {"help core follow",
-        "hitpipe core has no command follow; there are: rtl, image, trace, area, "
-        "implement, board"},
+       {"core", "a command is needed; there are: COMMANDS_OF_CORE; see hitpipe core --help"},
+       {"core follow", "follow: no such command; there are: COMMANDS_OF_CORE; see hitpipe core --help"},
+       {"help core follow", "hitpipe core has no command follow; there are: COMMANDS_OF_CORE"},
        {"board int_slabs --simulate --tests 9",
         "--simulate excludes --tests: the other side sends the tests;"},
        {"check --scene spheres int_slabs", "--scene requires --stiff;"}});

@@ -61,10 +61,10 @@ TEST(Experiments, TimesHaveIntervalsFromSixRunsOn) {
     options.repeats = repeats;
     const ResultTable table = find_experiment("4.1").run("4.1", options);
     const ResultRow& times = row_of(table, {"Spheres", "time"});
-    ASSERT_EQ(times.intervals.size(), table.columns.size());
+    EXPECT_EQ(times.intervals.size(), repeats == 5 ? 0 : table.columns.size());
+    if (times.intervals.empty()) continue;
     EXPECT_FALSE(times.intervals[0]) << "it is 1 by definition";
-    EXPECT_EQ(times.intervals[1].has_value(), repeats == 6);
-    if (repeats == 5) continue;
+    ASSERT_TRUE(times.intervals[1]);
     EXPECT_LE(times.intervals[1]->low, *times.ours[1]);
     EXPECT_GE(times.intervals[1]->high, *times.ours[1]);
   }
