@@ -364,9 +364,8 @@ CLI::App* add_core_fit_command(CLI::App& core, int& exit_code) {
                     "Folder for the core, the scenes' images and pictures, and fit.json")
       ->required();
   add_format_option(*command, options->format);
-  add_examples(*command,
-               {"hitpipe core fit --scene spheres --out core",
-                "hitpipe core fit --scene spheres --bits 12+0s12 --target ice40_up5k --out core"});
+  add_examples(*command, {"hitpipe core fit --scene spheres --out core",
+                          "hitpipe core fit --scene spheres --bits 12+0s12 --target ice40_up5k --out core"});
   command->callback([options, command, &exit_code] {
     options->hierarchy.build.threads = options->placing.threads;
     for (const auto& [option, fixed] : chosen_by_fit)
