@@ -370,6 +370,15 @@ CLI::App* add_core_fit_command(CLI::App& core, int& exit_code) {
     options->hierarchy.build.threads = options->placing.threads;
     for (const auto& [option, fixed] : chosen_by_fit)
       options->fit.fixed.*fixed = command->get_option(option)->count() > 0;
+    const auto unused = [&](const char* option, const char* why) {
+      if (command->get_option(option)->count() > 0)
+        throw CLI::ParseError(fmt::format("{}: {}", option, why), CLI::ExitCodes::ExcludesError);
+    };
+    if (options->bits) unused("--error", "excludes --bits, which fixes what the error would choose");
+    if (options->fit.goal == sim::CoreGoal::rate) {
+      unused("--rate-rays", "needs --for area; --for rate takes the most");
+      unused("--overhead", "needs --for area; --for rate weighs blocks against size");
+    }
     exit_code = Fitting(*options, *command).run();
   });
   return command;

@@ -139,11 +139,14 @@ class Search {
       const auto speed = [](int cycles) { return cycles == 0 ? 1000 : cycles; };
       return rays <= other.rays && speed(interval) >= speed(other.interval) && cache <= other.cache;
     }
+    [[nodiscard]] bool within_any(const std::vector<Size>& others) const {
+      return std::any_of(others.begin(), others.end(), [&](const Size& other) { return within(other); });
+    }
   };
   std::vector<Size> all_sizes() const {
     const CoreFixed& fixed = options_.fixed;
     const rtl::CoreOptions& core = fit_.core;
-    const auto or_own = [](bool is_fixed, int own, std::vector<int> all) {
+    const auto or_own = [](bool is_fixed, int own, const std::vector<int>& all) {
       return is_fixed ? std::vector{own} : all;
     };
     const bool units_only = core.weights || core.questions;
@@ -190,8 +193,7 @@ class Search {
     std::vector<Size> too_slow;
     double best = 0;
     for (const auto& [taken, each] : all) {
-      if (std::any_of(too_slow.begin(), too_slow.end(), [&](const Size& slow) { return each.within(slow); }))
-        continue;
+      if (each.within_any(too_slow)) continue;
       const rtl::CoreOptions core = with(each);
       if (options_.rays_per_second > 0) {
         options_.progress(fmt::format("tracing with {} rays in flight", each.rays));
@@ -227,9 +229,7 @@ class Search {
     std::vector<Size> slower;  // than the best, on a chip
     for (auto each = all.rbegin(); each != all.rend(); ++each) {
       const auto& [taken, size] = *each;
-      if (options_.most_luts &&
-          std::any_of(slower.begin(), slower.end(), [&](const Size& slow) { return size.within(slow); }))
-        continue;
+      if (options_.most_luts && size.within_any(slower)) continue;
       const rtl::CoreOptions core = with(size);
       options_.progress(fmt::format("tracing with {} rays in flight", size.rays));
       const double rate = rate_of(core, fit_.scenes).rays_per_second();

@@ -46,6 +46,19 @@ TEST(CoreFitCommand, SaysWhatTheScenesNeedBesideAnOption) {
   EXPECT_THAT(outcome.err, HasSubstr("--number-bits 4: the scenes need"));
 }
 
+TEST(CoreFitCommand, RefusesOptionsThatWouldDoNothing) {
+  const sim::TemporaryFolder folder;
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--bits", "10+0s10", "--error", "1"}, "--error: excludes --bits"},
+      {{"--for", "rate", "--rate-rays", "1000"}, "--rate-rays: needs --for area"},
+      {{"--for", "rate", "--overhead", "1"}, "--overhead: needs --for area"}};
+  for (const auto& [more, message] : cases) {
+    const Outcome outcome = run_hitpipe(words(folder.path().string(), more));
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+  }
+}
+
 TEST(CoreFitCommand, RefusesALibraryBesideATarget) {
   const sim::TemporaryFolder folder;
   const Outcome outcome =
