@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "rtl_gen/catalogue/design.hpp"
+
 namespace hitpipe::cli {
 
 namespace {

@@ -12,6 +12,7 @@
 
 #include "hls/machines/beats.hpp"
 #include "hls/machines/registers.hpp"
+#include "hls/machines/rings.hpp"
 #include "rtl_gen/core/axi_rings.hpp"
 #include "rtl_gen/core/identity.hpp"
 #include "rtl_gen/machine/module.hpp"

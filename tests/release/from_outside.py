@@ -28,6 +28,7 @@ LEAVES = {
     "area int_major": r"clock +latency +LUT +FF +DSP48E1\n.*\nint_major +20\+1/13 ",
     "implement int_major": "chip/ice40_up5k/int_major_implementation.json",
     "operands int_major": "tests.csv",
+    "core fit": "core/fit.json",
     "core rtl": "core/hitpipe_core.v",
     "core trace": r"\nwrong +0\n",
     "cosim int_major": "out/bunny/int_major.v",
