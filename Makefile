@@ -1,20 +1,31 @@
 # The whole project in a few words. `make demo` and `make test` are all that a newcomer types.
+# Groups of packages.txt that a goal needs beside the group build; a goal without a line here needs all.
+groups_demo := simulate
+groups_bench := simulate
+groups_prove := simulate chips
+groups_lint := simulate check
+groups_alone := simulate check
+GROUPS := build $(foreach goal,$(filter-out build,$(MAKECMDGOALS)),$(or $(groups_$(goal)),simulate chips check))
 JOBS ?= $(shell nproc)
 # Tests that `make sanitize` runs, as `ctest -R` selects them.
 SANITIZED ?= .
 # What has threads: pieces of work side by side, signals, processes, walks, hierarchies, renders.
 THREADED := ^host/|sw_ref/(trace|hierarchy)/|(render|whitted|int_tracer)_test
 # TEST_PATH=FOLDER: tests find programs in that folder only.
+# Runs tests of CTest. Those of tests/slow_tests.txt are the second part of `make test`.
+RUN_TESTS = $(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -j $(JOBS) -LE long
+SLOW = "^($$(paste -sd'|' tests/slow_tests.txt))$$"
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
-.PHONY: demo test test-long test-designs build lint format bench sanitize threads fuzz mutants coverage prove prove-all-widths netlists hls-check alone fresh dist deb packages clean help
+.PHONY: demo check test test-long test-designs build lint format bench sanitize threads fuzz mutants coverage prove prove-all-widths netlists hls-check alone fresh dist deb packages clean help
 
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
-	@echo 'make test      all tests but the long ones'
-	@echo 'make test-long  adds two designs in a copy of the tree; 10^6 exact triangle tests; proofs of units and machines'
+	@echo 'make check     the tests that take a few seconds at most; the others are in tests/slow_tests.txt'
+	@echo 'make test      all tests but the long ones: those of make check, then the slow ones'
+	@echo 'make test-long  adds two designs in a copy of the tree; 10^6 exact triangle tests; each pair of features; proofs'
 	@echo 'make test-designs  all tests in a copy of the tree with two designs more'
-	@echo 'make build     the program, build/hitpipe, the library hitpipe::ref and the Python module'
+	@echo 'make build     the program, build/hitpipe, the library hitpipe::ref and the Python module, with a quarter of the packages'
 	@echo 'make bench     benchmarks'
 	@echo 'make lint      formatting and clang-tidy of what changed; make format mends the first'
 	@echo 'make sanitize  all tests under ASan and UBSan'
@@ -27,13 +38,13 @@ help:
 	@echo 'make netlists  the netlists in chip cells and standard cells equal the C++ for 10^5 vectors a design'
 	@echo 'make hls-check  C++14 tops with the integers in HITPIPE_VENDOR_AP_INT=DIR or HITPIPE_AC_TYPES=DIR, and by bambu'
 	@echo 'make alone     every source and header compiles by itself; FILES="WORD..." takes those whose path holds a word'
-	@echo 'make fresh     make demo and make test in a Debian 12 of its own, then README from the packages alone; needs root'
+	@echo 'make fresh     make build, demo and test in a Debian 12 of its own, then README from the packages alone; needs root'
 	@echo 'make dist      the last commit as out/hitpipe-VERSION.tar.gz, with the hash of its sources'
 	@echo 'make deb       packages of Debian 12 from the last commit in out/deb; needs debhelper, dh-python and lintian'
 	@echo 'make clean     removes build folders and out/'
 
 packages:
-	@cmake/install-packages.sh
+	@cmake/install-packages.sh --groups $(GROUPS)
 
 build: packages
 	@cmake --preset release >build.log 2>&1 || { cat build.log; exit 1; }
@@ -46,13 +57,16 @@ demo: build
 	@echo '  build/hitpipe cosim int_slabs --bits 12/12 --scene spheres --referee   # fewer bits, more false hits'
 	@echo '  build/hitpipe rtl int_slabs --bits 24/24 --out out/rtl                 # another format as Verilog'
 
-test: build
+check: build
 	@cmake --build --preset release -j $(JOBS)
-	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -j $(JOBS) -LE long
+	@$(RUN_TESTS) -E $(SLOW)
+
+test: check
+	@$(RUN_TESTS) -R $(SLOW)
 
 test-long: packages
 	@cmake --preset release
-	@cmake --build --preset release -j $(JOBS) --target sw_ref_tests hitpipe emit_formal emit_lemmas
+	@cmake --build --preset release -j $(JOBS) --target sw_ref_tests sim_tests hitpipe emit_formal emit_lemmas
 	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -j $(JOBS) -L '^long$$' -V
 
 test-designs: packages

@@ -36,4 +36,18 @@ set(HITPIPE_MACHINES
   cache
   rings
   read_meter
+  epoch
+)
+
+# What a core may have, in the order in which they change it: one line each. NAME stands for rtl_gen/core/features/NAME.cpp
+# (docs/features.md).
+set(HITPIPE_CORE_FEATURES
+  base
+  serial_triangle
+  float_door
+  cache
+  rings
+  weights
+  questions
+  read_meter
 )

@@ -4,9 +4,16 @@
 
 namespace hitpipe::area {
 
-CorePrice price(const rtl::Core& core, const rtl::Library& library) {
+CorePartPrice& CorePartPrice::operator+=(const CorePartPrice& more) {
+  memory_bits += more.memory_bits;
+  area_um2 += more.area_um2;
+  taken += more.taken;
+  return *this;
+}
+
+CorePrice price(std::span<const rtl::Part> parts, const rtl::Library& library) {
   CorePrice made;
-  for (const rtl::Part& part : core.parts) {
+  for (const rtl::Part& part : parts) {
     CorePartPrice& of = made.parts.emplace_back();
     if (part.graph) {
       const MachinePrice machine = price(*part.graph, library);
@@ -16,9 +23,7 @@ CorePrice price(const rtl::Core& core, const rtl::Library& library) {
           price(*part.pipeline, *part.design, part.format, library, part.interface.flow_control());
       of = {0, unit.area_um2, unit.taken};
     }
-    made.all.memory_bits += of.memory_bits;
-    made.all.area_um2 += of.area_um2;
-    made.all.taken += of.taken;
+    made.all += of;
   }
   return made;
 }

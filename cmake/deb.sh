@@ -5,7 +5,7 @@ rm -rf "$1"
 mkdir -p "$1/source"
 folder=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."
-cmake/install-packages.sh
+cmake/install-packages.sh --groups build simulate
 cmake/install-packages.sh debhelper dh-python lintian
 git archive HEAD | tar -x -C "$folder/source"
 cd "$folder/source"

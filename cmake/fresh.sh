@@ -51,7 +51,8 @@ if [ "${1:-}" = --packages ]; then
   [ $# -gt 0 ] || set -- 'apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq ./*.deb pkg-config nextpnr-ice40 fpga-icestorm > apt.log 2>&1' \
     'cd /root && python3 /hitpipe/from_outside.py'
 fi
-[ $# -gt 0 ] || set -- 'make demo' 'make test'
+# The unit alone first, so that it has no more packages than its own.
+[ $# -gt 0 ] || set -- 'make build' 'build/hitpipe rtl int_major --out unit > unit.txt && make -s -C unit/tb icarus' 'make demo' 'make test'
 cd "$(dirname "$0")/.."
 if [ "$(id -u)" -ne 0 ]; then
   command -v sudo > /dev/null || fail 'a fresh Debian needs root or sudo'

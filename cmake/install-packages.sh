@@ -1,9 +1,28 @@
 #!/bin/sh
-# Installs packages that dpkg does not have, named here or all of packages.txt: install-packages.sh [PACKAGE...]
-# Needs root or sudo only when something is missing.
+# Installs packages that dpkg does not have. Needs root or sudo only when something is missing.
+# install-packages.sh [PACKAGE...]: those, or all of packages.txt.
+# install-packages.sh --groups GROUP...: those of some groups of packages.txt.
 set -eu
 list=$(dirname "$0")/../packages.txt
-wanted=${*:-$(sed 's/#.*//' "$list")}
+if [ "${1:-}" = --groups ]; then
+  shift
+  groups=$(sed -n 's/^## \([a-z]*\):.*/\1/p' "$list")
+  allowed="allowed are $(echo $groups | sed 's/ /, /g')"
+  if [ $# = 0 ]; then
+    echo "hitpipe: --groups names none; $allowed" >&2
+    exit 1
+  fi
+  for group in "$@"; do
+    if ! echo "$groups" | grep -qx -e "$group"; then
+      echo "hitpipe: packages.txt has no group \"$group\"; $allowed" >&2
+      exit 1
+    fi
+  done
+  wanted=$(awk -v groups=" $* " '/^## / { sub(":", "", $2); taken = index(groups, " " $2 " ") } !/^#/ && taken' "$list")
+  set --
+else
+  wanted=${*:-$(sed 's/#.*//' "$list")}
+fi
 if ! command -v dpkg-query >/dev/null 2>&1; then
   if [ $# -gt 0 ]; then
     echo "hitpipe: this is no Debian; install $* by other means" >&2

@@ -42,12 +42,13 @@ for chip, (fixed, counted, usual) in CHIPS.items():
             continue
         core, traced, taken = fit["fitted"], fit["scenes"][0], fit["mapped"][counted]
         rows.append(f"| {chip} | {scene} | {core['bits']} | {core['stack']} | {core['levels']} | {core['block_bits']} / {core['number_bits']} | "
-                    f"{taken:,} | {100 * (taken - before) / before:+.1f} | {traced['other_triangles_pct']:.2f} | {traced['wrong']} |\n")
+                    f"{taken:,} | {100 * (taken - before) / before:+.1f} | {traced['other_triangles_pct']:.3f} ({traced['other_triangles_pct_low']:.3f} to {traced['other_triangles_pct_high']:.3f}) | "
+                    f"{traced['wrong']} |\n")
 page.write_text("""# Cores that are fitted to scenes
 
 By `docs/core_fit.py`, from `hitpipe core fit --scene SCENE` with `--target xc7 --rays 32 --triangle-ii 8`, and
 with `--target ice40_up5k --bits 12+0s12`. Sizes are mapped: LUTs, and packed logic cells. *other* is the percent of
-rays that find another triangle than in floats.
+rays that find another triangle than in floats, with Wilson's 95 % interval.
 
 | chip | scene | bits | stack | levels | bits of blocks / numbers | size | % | other | wrong |
 |---|---|---|--:|--:|--:|--:|--:|--:|--:|

@@ -104,7 +104,7 @@ triangle tests, in %, on the scenes `spheres` / `statue`, beside a software trav
        ['---'] + ['--:'] * 8 + ['---'], map(priced, PRICED))}
 ## In chips and cells
 
-Without flow control. A unit above 100 % of a chip does not fit. Artix-7 is not placed. [chips.md](chips.md#all-units-in-all-targets) has
+Without flow control. A unit above 100 % of a chip does not fit. Artix-7 is mapped by Yosys and not placed. [chips.md](chips.md#all-units-in-all-targets) has
 registers, carries, both clocks, latency and HIT a second.
 
 {table(['unit', 'UP5K, % of chip', 'MHz', 'HX8K, % of chip', 'MHz', 'ECP5: LUT', 'DSP', 'MHz', 'Artix-7: LUT', 'DSP', 'OSU: mm²', 'MHz'],

@@ -11,6 +11,9 @@
 #include <pthread.h>
 #include <time.h>
 
+#include "host/default_arithmetic.hpp"
+#include "host/watch.hpp"
+
 namespace hitpipe::host {
 namespace {
 
@@ -78,6 +81,8 @@ class Pool {
   }
 
   [[noreturn]] void serve() {
+    // A new thread would have the arithmetic of whoever hires it.
+    const DefaultArithmetic arithmetic;
     std::unique_lock lock(mutex_);
     for (;;) {
       Loop* const loop = find([](const Loop& each) { return each.crew.working < each.crew.limit; });
@@ -115,7 +120,10 @@ class Pool {
     lock.unlock();
     std::exception_ptr error;
     try {
-      for (std::size_t i = 0; (i = loop.next++) < loop.count;) loop.work(i);
+      for (std::size_t i = 0; (i = loop.next++) < loop.count;) {
+        look();
+        loop.work(i);
+      }
     } catch (...) {
       error = std::current_exception();
       loop.next = loop.count;
@@ -146,7 +154,10 @@ void with_threads(int threads, const std::function<void()>& work) {
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work) {
   if (crew_of_thread == nullptr) return with_threads(0, [&] { for_each_index(count, work); });
   if (count <= 1 || crew_of_thread->limit <= 1) {
-    for (std::size_t i = 0; i < count; ++i) work(i);
+    for (std::size_t i = 0; i < count; ++i) {
+      look();
+      work(i);
+    }
     return;
   }
   Loop loop{.count = count, .work = work, .crew = *crew_of_thread};

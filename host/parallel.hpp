@@ -15,7 +15,8 @@ inline constexpr int most_threads = 256;
 void with_threads(int threads, const std::function<void()>& work);
 
 /// Calls work(i) for each i below `count`, on the threads of the with_threads() around it, or one for each core where
-/// there is none. One thread takes them in order. After an error no further call begins, and the first is thrown again.
+/// there is none. One thread takes them in order. After an error, which may be a Watch's, no
+/// further call begins, and the first is thrown again.
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// The same with threads as with_threads() has them. After each call it reports the finished share.

@@ -59,8 +59,11 @@ hitpipe_status hitpipe_exact(const hitpipe_ray* ray, const hitpipe_box* boxes, s
     const hitpipe::ref::BoxReferee referee(checked(given(ray, "ray")));
     const auto own = checked(given(boxes, box_count));
     if (own.empty()) return;
-    std::uint8_t* place = &given(met, "met");
-    for (const auto& box : own) *place++ = flag(referee.meets(box));
+    std::uint8_t* const place = &given(met, "met");
+    for (std::size_t i = 0; i < box_count; ++i) {
+      hitpipe::host::look(i);
+      place[i] = flag(referee.meets(own[i]));
+    }
   });
 }
 
@@ -70,9 +73,11 @@ hitpipe_status hitpipe_exact_pairs(const hitpipe_ray* rays, const hitpipe_box* b
     const auto own_rays = checked(given(rays, pair_count));
     const auto own_boxes = checked(given(boxes, pair_count));
     if (pair_count == 0) return;
-    std::uint8_t* place = &given(met, "met");
-    for (std::size_t i = 0; i < pair_count; ++i)
-      *place++ = flag(hitpipe::ref::ray_meets_box(own_rays[i], own_boxes[i]));
+    std::uint8_t* const place = &given(met, "met");
+    for (std::size_t i = 0; i < pair_count; ++i) {
+      hitpipe::host::look(i);
+      place[i] = flag(hitpipe::ref::ray_meets_box(own_rays[i], own_boxes[i]));
+    }
   });
 }
 
@@ -118,6 +123,7 @@ hitpipe_status hitpipe_test_pairs(hitpipe_unit* unit, const hitpipe_ray* rays, c
     const auto own_boxes = checked(given(boxes, test_count * its.boxes_per_test));
     its.ray.reset();
     for (std::size_t i = 0; i < test_count; ++i) {
+      hitpipe::host::look(i);
       const std::span boxes_of_test =
           std::span(own_boxes).subspan(i * its.boxes_per_test, its.boxes_per_test);
       test.start(own_rays[i]);
@@ -143,8 +149,10 @@ hitpipe_status hitpipe_test_operands(const hitpipe_unit* unit, const int64_t* op
                                                          test, its.ports[i].name, value, low, high));
       }
     }
-    for (std::size_t test = 0; test < test_count; ++test, out += its.results.size())
+    for (std::size_t test = 0; test < test_count; ++test, out += its.results.size()) {
+      hitpipe::host::look(test);
       its.evaluate(first + test * its.ports.size(), out);
+    }
   });
 }
 

@@ -46,8 +46,10 @@ hitpipe_status hitpipe_integer_rays(const hitpipe_scene* scene, const hitpipe_ra
     const auto own = given(rays, ray_count);
     if (ray_count != 0) static_cast<void>(given(out, "out"));
     for (std::size_t i = 0; i < ray_count; ++i) static_cast<void>(ray_of_scene(*scene, own[i], i));
-    for (std::size_t i = 0; i < ray_count; ++i)
+    for (std::size_t i = 0; i < ray_count; ++i) {
+      hitpipe::host::look(i);
       out[i] = c_ray(hitpipe::ref::int_ray(in_world(*scene, own[i]), bits));
+    }
   });
 }
 
@@ -63,11 +65,11 @@ hitpipe_status hitpipe_own_distance(const hitpipe_scene* scene, const hitpipe_ra
 hitpipe_status hitpipe_core_image(const hitpipe_scene* scene, uint8_t* bytes, size_t capacity, size_t* size) {
   return guarded([&] {
     const auto& bits = bits_of(given(scene, "scene"));
-    const Placed& placed = *scene->placed;
+    const auto placed = scene->placed();
     hitpipe::ref::Scene shell;
     shell.to_cube = scene->transform;
     const hitpipe::ref::CoreImage image = hitpipe::ref::core_image(
-        {.bits = bits, .mesh = *placed.int_mesh, .scene = std::move(shell), .bvh = placed.bvh});
+        {.bits = bits, .mesh = *placed->int_mesh, .scene = std::move(shell), .bvh = placed->bvh});
     const std::string text = hitpipe::ref::core_image_bytes(image.blocks);
     given(size, "size") = text.size();
     if (bytes != nullptr && capacity >= text.size()) std::memcpy(bytes, text.data(), text.size());

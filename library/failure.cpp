@@ -1,5 +1,8 @@
 #include "library/failure.hpp"
 
+#include <chrono>
+#include <utility>
+
 #include <fmt/format.h>
 
 namespace hitpipe::library {
@@ -11,7 +14,24 @@ std::string& line_of_thread() {
   return line;
 }
 
+/// A look costs the watch's owner more than the call's work between two.
+constexpr std::chrono::milliseconds between_looks(50);
+
+thread_local const hitpipe_watch* watch_of_thread = nullptr;
+
 }  // namespace
+
+std::function<void()> look_of_thread() {
+  if (watch_of_thread == nullptr) return {};
+  return [own = *watch_of_thread, next = std::chrono::steady_clock::now() + between_looks,
+          stopped = false]() mutable {
+    if (!stopped && std::chrono::steady_clock::now() < next) return;
+    // Loops within loops end one after the other.
+    stopped = stopped || own.stop(own.context) != 0;
+    if (stopped) throw Refusal(HITPIPE_STOPPED, "stopped by the watch of its thread");
+    next = std::chrono::steady_clock::now() + between_looks;
+  };
+}
 
 hitpipe_status failed(hitpipe_status status, const char* line) noexcept {
   try {
@@ -31,6 +51,10 @@ void check_index(std::size_t index, std::size_t count, const char* what) {
 
 const char* hitpipe_error(void) {
   return hitpipe::library::line_of_thread().c_str();
+}
+
+const hitpipe_watch* hitpipe_set_watch(const hitpipe_watch* watch) {
+  return std::exchange(hitpipe::library::watch_of_thread, watch);
 }
 
 const char* hitpipe_version(void) {

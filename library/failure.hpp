@@ -2,11 +2,14 @@
 #pragma once
 
 #include <exception>
+#include <functional>
 #include <new>
 #include <stdexcept>
 #include <string>
 
 #include "hitpipe/ref.h"
+#include "host/default_arithmetic.hpp"
+#include "host/watch.hpp"
 
 namespace hitpipe::library {
 
@@ -23,10 +26,15 @@ class Refusal : public std::runtime_error {
 /// Keeps the line for hitpipe_error(). Returns the status.
 hitpipe_status failed(hitpipe_status status, const char* line) noexcept;
 
-/// Runs a call of the interface.
+/// What a call of this thread looks at: throws a Refusal if the thread's hitpipe_watch ends it. Empty: the thread has none.
+std::function<void()> look_of_thread();
+
+/// Runs a call of the interface, in the arithmetic that answers are defined in.
 template <class Call>
 hitpipe_status guarded(Call&& call) noexcept {
+  const host::DefaultArithmetic arithmetic;
   try {
+    const host::Watch watch(look_of_thread());
     call();
     return HITPIPE_OK;
   } catch (const Refusal& refusal) {

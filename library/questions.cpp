@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "host/parallel.hpp"
+#include "host/watch.hpp"
 #include "library/failure.hpp"
 #include "library/scene.hpp"
 #include "library/shapes.hpp"
@@ -18,6 +19,8 @@ namespace {
 
 /// Rays that a thread takes at a time.
 constexpr std::size_t block = 1024;
+/// Rays between two looks at the thread's watch. One that crosses much takes milliseconds.
+constexpr std::size_t rays_between_looks = 16;
 
 /// Calls ask(ray, i) for each ray. Before the first call all rays are checked; a Refusal names the first bad one.
 template <class Ask>
@@ -31,8 +34,20 @@ void ask_each(const hitpipe_scene& scene, std::span<const hitpipe_ray> rays, int
       }
     });
     if (bad < rays.size()) static_cast<void>(ray_of_scene(scene, rays[bad], bad));
+    std::atomic<bool> ends = false;
+    const auto look = [&] {
+      try {
+        host::look();
+      } catch (...) {
+        ends = true;
+        throw;
+      }
+    };
     host::for_each_block(0, rays.size(), block, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) ask(in_world(scene, rays[i]), i);
+      for (std::size_t i = first; i < last && !ends.load(std::memory_order_relaxed); ++i) {
+        if (i % rays_between_looks == 0) look();
+        ask(in_world(scene, rays[i]), i);
+      }
     });
   });
 }
@@ -42,9 +57,9 @@ std::uint32_t number_of(const Placed& placed, std::uint32_t triangle) {
   return triangle == ref::Hit::none ? HITPIPE_NO_TRIANGLE : placed.numbers[triangle];
 }
 
-void store(const hitpipe_scene& scene, const ref::NearestHit& hit, const hitpipe_nearest_out& out,
-           std::size_t i) {
-  if (out.triangle != nullptr) out.triangle[i] = number_of(*scene.placed, hit.triangle);
+void store(const hitpipe_scene& scene, const Placed& placed, const ref::NearestHit& hit,
+           const hitpipe_nearest_out& out, std::size_t i) {
+  if (out.triangle != nullptr) out.triangle[i] = number_of(placed, hit.triangle);
   if (out.t != nullptr) out.t[i] = own_t(scene, hit.t);
   if (out.weights != nullptr) std::copy(hit.weights.begin(), hit.weights.end(), out.weights + 3 * i);
 }
@@ -65,14 +80,15 @@ hitpipe_status hitpipe_nearest(const hitpipe_scene* scene, const hitpipe_ray* ra
                                int threads, const hitpipe_nearest_out* out) {
   return guarded([&] {
     using hitpipe::ref::HitDetail;
-    const hitpipe::ref::RayQueries* const queries = given(scene, "scene").placed->queries.get();
+    const auto placed = given(scene, "scene").placed();
+    const hitpipe::ref::RayQueries* const queries = placed->queries.get();
     const hitpipe_nearest_out places = given(out, "out");
     const HitDetail detail = places.weights != nullptr ? HitDetail::weights
                              : places.t != nullptr     ? HitDetail::distance
                                                        : HitDetail::triangle;
     ask_each(*scene, given(rays, ray_count), threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
       const auto hit = queries == nullptr ? hitpipe::ref::NearestHit{} : queries->nearest(ray, detail);
-      store(*scene, hit, places, i);
+      store(*scene, *placed, hit, places, i);
     });
   });
 }
@@ -80,7 +96,8 @@ hitpipe_status hitpipe_nearest(const hitpipe_scene* scene, const hitpipe_ray* ra
 hitpipe_status hitpipe_any(const hitpipe_scene* scene, const hitpipe_ray* rays, size_t ray_count, int threads,
                            uint8_t* met) {
   return guarded([&] {
-    const hitpipe::ref::RayQueries* const queries = given(scene, "scene").placed->queries.get();
+    const auto placed = given(scene, "scene").placed();
+    const hitpipe::ref::RayQueries* const queries = placed->queries.get();
     if (ray_count != 0) static_cast<void>(given(met, "met"));
     ask_each(*scene, given(rays, ray_count), threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
       met[i] = queries != nullptr && queries->any(ray) ? 1 : 0;
@@ -91,7 +108,8 @@ hitpipe_status hitpipe_any(const hitpipe_scene* scene, const hitpipe_ray* rays, 
 hitpipe_status hitpipe_count(const hitpipe_scene* scene, const hitpipe_ray* rays, size_t ray_count,
                              int threads, uint32_t* crossings, int32_t* sides) {
   return guarded([&] {
-    const hitpipe::ref::RayQueries* const queries = given(scene, "scene").placed->queries.get();
+    const auto placed = given(scene, "scene").placed();
+    const hitpipe::ref::RayQueries* const queries = placed->queries.get();
     ask_each(*scene, given(rays, ray_count), threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
       const auto count = queries == nullptr ? hitpipe::ref::CrossingCount{} : queries->count(ray);
       if (crossings != nullptr) crossings[i] = static_cast<uint32_t>(count.crossings);
@@ -103,12 +121,12 @@ hitpipe_status hitpipe_count(const hitpipe_scene* scene, const hitpipe_ray* rays
 hitpipe_status hitpipe_all(const hitpipe_scene* scene, const hitpipe_ray* rays, size_t ray_count, int threads,
                            const hitpipe_all_out* out) {
   return guarded([&] {
-    const Placed& placed = *given(scene, "scene").placed;
+    const auto placed = given(scene, "scene").placed();
     const hitpipe_all_out places = given(out, "out");
     uint64_t* const offsets = &given(places.offsets, "offsets");
     std::vector<std::vector<hitpipe::ref::RayCrossing>> found(ray_count);
     ask_each(*scene, given(rays, ray_count), threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
-      if (placed.queries) placed.queries->all(ray, found[i]);
+      if (placed->queries) placed->queries->all(ray, found[i]);
     });
     offsets[0] = 0;
     for (std::size_t i = 0; i < ray_count; ++i) offsets[i + 1] = offsets[i] + found[i].size();
@@ -116,7 +134,7 @@ hitpipe_status hitpipe_all(const hitpipe_scene* scene, const hitpipe_ray* rays, 
     for (std::size_t i = 0; i < ray_count; ++i) {
       for (std::size_t k = 0; k < found[i].size(); ++k) {
         const std::size_t at = offsets[i] + k;
-        if (places.triangle != nullptr) places.triangle[at] = number_of(placed, found[i][k].triangle);
+        if (places.triangle != nullptr) places.triangle[at] = number_of(*placed, found[i][k].triangle);
         if (places.t != nullptr) places.t[at] = own_t(*scene, found[i][k].t);
         if (places.side != nullptr) places.side[at] = static_cast<int8_t>(found[i][k].side);
       }
@@ -127,8 +145,9 @@ hitpipe_status hitpipe_all(const hitpipe_scene* scene, const hitpipe_ray* rays, 
 hitpipe_status hitpipe_inside(const hitpipe_scene* scene, const float* points, size_t point_count,
                               int threads, uint8_t* inside) {
   return guarded([&] {
-    const hitpipe::ref::RayQueries* const queries = given(scene, "scene").placed->queries.get();
-    const hitpipe::ref::Closedness& closedness = scene->closedness();
+    const auto placed = given(scene, "scene").placed();
+    const hitpipe::ref::RayQueries* const queries = placed->queries.get();
+    const hitpipe::ref::Closedness& closedness = placed->closedness();
     if (!closedness.even())
       throw Refusal(HITPIPE_NOT_CLOSED,
                     fmt::format("the mesh is not closed: {} of its {} edges have an odd number of triangles",

@@ -12,9 +12,10 @@
 #include <fmt/format.h>
 
 #include "host/parallel.hpp"
-#include "library/choice.hpp"
+#include "host/text.hpp"
 #include "library/cube.hpp"
 #include "library/failure.hpp"
+#include "library/mesh.hpp"
 #include "rtl_gen/catalogue/format.hpp"
 #include "sw_ref/hierarchy/refit.hpp"
 #include "sw_ref/judge/triangle_test.hpp"
@@ -51,66 +52,20 @@ ref::Bvh built(const hitpipe_scene& scene, const Placed& placed, int threads) {
   return ref::build_bvh(mesh, options);
 }
 
-std::vector<glm::vec3> checked_corners(const float* corners, std::size_t count) {
-  if (count != 0) static_cast<void>(given(corners, "corners"));
-  std::vector<glm::vec3> own;
-  own.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    own.emplace_back(corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
-    for (int axis = 0; axis < 3; ++axis)
-      if (!(std::abs(own.back()[axis]) <= most_coordinate))
-        throw Refusal(HITPIPE_BAD_MESH, fmt::format("corner {}: {} = {}; allowed is -2^24 to 2^24", i,
-                                                    "xyz"[axis], own.back()[axis]));
-  }
-  return own;
-}
-
-std::vector<glm::uvec3> checked_triangles(const hitpipe_mesh& mesh) {
-  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
-  if (mesh.triangle_count > most)
-    throw Refusal(HITPIPE_BAD_MESH,
-                  fmt::format("{} triangles; allowed are up to {}", mesh.triangle_count, most));
-  if (mesh.triangle_count != 0) static_cast<void>(given(mesh.triangles, "triangles"));
-  std::vector<glm::uvec3> own;
-  own.reserve(mesh.triangle_count);
-  for (std::size_t i = 0; i < mesh.triangle_count; ++i) {
-    const std::uint32_t* const corner = mesh.triangles + 3 * i;
-    for (std::size_t k = 0; k < 3; ++k)
-      if (corner[k] >= mesh.corner_count)
-        throw Refusal(HITPIPE_BAD_MESH,
-                      fmt::format("triangle {}: corner {} of {}", i, corner[k], mesh.corner_count));
-    own.emplace_back(corner[0], corner[1], corner[2]);
-  }
-  return own;
-}
-
 std::optional<hls::WorldBits> chosen_world(const char* world) {
   if (world == nullptr || world == float_world) return std::nullopt;
-  return or_refuse(HITPIPE_BAD_FORMAT, [&] { return rtl::parse_bits<hls::WorldBits>(world); });
-}
-
-/// Of the corners that triangles use.
-ref::Normalisation fitted(const ref::Mesh& mesh) {
-  if (mesh.triangles.empty()) return {};
-  const ref::Bounds bounds = ref::mesh_bounds(mesh);
-  if (!(bounds.longest() > 0))
-    throw Refusal(HITPIPE_BAD_MESH,
-                  "all corners are in one place; an integer world needs a mesh with some extent");
-  return ref::fit_to_cube(bounds, {});
-}
-
-/// Each corner is rounded to binary32, as hitpipe_to_cube_ray() does with an origin.
-void move_into_cube(ref::Mesh& mesh, const ref::Normalisation& transform) {
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    glm::vec3& vertex = mesh.vertices[i];
-    vertex = glm::vec3(transform.to_cube(glm::dvec3(vertex)));
-    for (int axis = 0; axis < 3; ++axis)
-      if (!(std::abs(vertex[axis]) <= 1.0F))
-        throw Refusal(HITPIPE_BAD_MESH,
-                      fmt::format("corner {}: {} is {} in the cube of the integer world; allowed is "
-                                  "[-1, 1]",
-                                  i, "xyz"[axis], vertex[axis]));
+  const auto& family = rtl::family_of<hls::WorldBits>;
+  if (const auto numbers = family.parse(world); numbers && family.valid(*numbers)) {
+    const auto bits = rtl::Format(family, *numbers).as<hls::WorldBits>();
+    // What a triangle unit says more than HIT.
+    if (bits.weights == 0 && bits.crossings == 0) return bits;
   }
+  throw Refusal(HITPIPE_BAD_FORMAT,
+                fmt::format("world {}: allowed is \"float\", or n+gsS or n+gsStF with n in {}..{}, g in "
+                            "0..{}, S in {}..{} and F in 1..{}, for example \"20+1s20\"",
+                            host::shortened(world), hls::WorldBits::min_coord, hls::WorldBits::max_coord,
+                            hls::WorldBits::max_finer, hls::WorldBits::min_slope, hls::WorldBits::max_slope,
+                            hls::WorldBits::max_fraction));
 }
 
 /// The mesh is in the scene's world, and has no queries yet.
@@ -164,6 +119,12 @@ std::size_t without_area(const Placed& scene) {
 
 }  // namespace
 
+const ref::Closedness& Placed::closedness() const {
+  const std::scoped_lock lock(finding_);
+  if (!closedness_) closedness_ = int_mesh ? ref::closedness(*int_mesh) : ref::closedness(mesh);
+  return *closedness_;
+}
+
 ref::Ray in_world(const hitpipe_scene& scene, const hitpipe_ray& ray) {
   const glm::vec3 origin(ray.origin[0], ray.origin[1], ray.origin[2]);
   const glm::vec3 direction(ray.direction[0], ray.direction[1], ray.direction[2]);
@@ -198,14 +159,6 @@ ref::Ray ray_of_scene(const hitpipe_scene& scene, const hitpipe_ray& ray, std::s
 
 }  // namespace hitpipe::library
 
-const hitpipe::ref::Closedness& hitpipe_scene::closedness() const {
-  const std::scoped_lock lock(finding);
-  if (!found_closedness)
-    found_closedness = placed->int_mesh ? hitpipe::ref::closedness(*placed->int_mesh)
-                                        : hitpipe::ref::closedness(placed->mesh);
-  return *found_closedness;
-}
-
 using namespace hitpipe::library;  // NOLINT(google-build-using-namespace): what follows is this namespace's,
                                    // in C
 
@@ -220,21 +173,19 @@ hitpipe_status hitpipe_scene_open(const hitpipe_mesh* mesh, const hitpipe_scene_
     if (!scene->bits && chosen.transform != nullptr)
       throw Refusal(HITPIPE_BAD_ARGUMENT,
                     "transform: the float world has none; rays and corners are in your units");
-    hitpipe::ref::Mesh own;
-    own.triangles = checked_triangles(given(mesh, "mesh"));
-    own.vertices = checked_corners(mesh->corners, mesh->corner_count);
+    CheckedMesh own = checked_mesh(given(mesh, "mesh"));
     const int threads = checked_threads(chosen.threads);
     if (scene->bits) {
-      scene->transform = chosen.transform == nullptr ? fitted(own) : checked_transform(chosen.transform);
+      scene->transform = chosen.transform == nullptr ? fitted(own.mesh) : checked_transform(chosen.transform);
       move_into_cube(own, scene->transform);
     }
     hitpipe::host::with_threads(threads, [&] {
-      auto placed = on_its_grid(*scene, std::move(own));
+      auto placed = on_its_grid(*scene, std::move(own.mesh));
       scene->tree = chosen.hierarchy != nullptr
                         ? checked_tree(*chosen.hierarchy, placed->mesh.triangles.size())
                         : built(*scene, *placed, threads);
       add_queries(*scene, *placed);
-      scene->placed = std::move(placed);
+      scene->place(std::move(placed));
     });
     *out = scene.release();
   });
@@ -246,12 +197,12 @@ void hitpipe_scene_close(hitpipe_scene* scene) {
 
 hitpipe_status hitpipe_scene_describe(const hitpipe_scene* scene, hitpipe_scene_info* out) {
   return guarded([&] {
-    const Placed& placed = *given(scene, "scene").placed;
-    const hitpipe::ref::Closedness& closedness = scene->closedness();
+    const auto placed = given(scene, "scene").placed();
+    const hitpipe::ref::Closedness& closedness = placed->closedness();
     const hitpipe::ref::Normalisation& moved = scene->transform;
     given(out, "out") = {.world = scene->world.c_str(),
-                         .triangles = placed.mesh.triangles.size(),
-                         .without_area = without_area(placed),
+                         .triangles = placed->mesh.triangles.size(),
+                         .without_area = without_area(*placed),
                          .closed = closedness.even() ? 1 : 0,
                          .oriented = closedness.balanced() ? 1 : 0,
                          .odd_edges = closedness.odd,
@@ -261,16 +212,14 @@ hitpipe_status hitpipe_scene_describe(const hitpipe_scene* scene, hitpipe_scene_
 
 hitpipe_status hitpipe_scene_move(hitpipe_scene* scene, const float* corners, int threads) {
   return guarded([&] {
-    hitpipe::ref::Mesh own;
-    own.vertices =
-        checked_corners(&given(corners, "corners"), given(scene, "scene").placed->mesh.vertices.size());
-    own.triangles = scene->placed->mesh.triangles;
+    const auto before = given(scene, "scene").placed();
+    CheckedMesh own =
+        with_corners(&given(corners, "corners"), before->mesh.vertices.size(), before->mesh.triangles);
     if (scene->bits) move_into_cube(own, scene->transform);
     hitpipe::host::with_threads(checked_threads(threads), [&] {
-      auto placed = on_its_grid(*scene, std::move(own));
+      auto placed = on_its_grid(*scene, std::move(own.mesh));
       add_queries(*scene, *placed);
-      scene->placed = std::move(placed);
+      scene->place(std::move(placed));
     });
-    scene->found_closedness.reset();
   });
 }

@@ -27,6 +27,13 @@ struct Placed {
   std::optional<ref::Bvh> bvh;           ///< over the triangles that have an area there; nothing: none has
   std::vector<std::uint32_t> numbers;    ///< of these triangles, ascending
   std::unique_ptr<ref::RayQueries> queries;  ///< nothing: no triangle has an area
+
+  /// Found when somebody first asks, and thread-safe.
+  [[nodiscard]] const ref::Closedness& closedness() const;
+
+ private:
+  mutable std::mutex finding_;
+  mutable std::optional<ref::Closedness> closedness_;
 };
 
 }  // namespace hitpipe::library
@@ -36,19 +43,23 @@ struct hitpipe_scene {
   std::optional<hitpipe::hls::WorldBits> bits;  ///< nothing: the float world
   hitpipe::ref::Normalisation transform;        ///< of the float world it moves nothing
   hitpipe::ref::Bvh tree;                       ///< over all triangles; its boxes are of the first corners
-  std::unique_ptr<const hitpipe::library::Placed> placed;
 
-  /// Found when somebody first asks, and thread-safe.
-  [[nodiscard]] const hitpipe::ref::Closedness& closedness() const;
+  /// Where it is now. Whoever holds that keeps it, though the scene moves: nobody waits for anybody.
+  [[nodiscard]] std::shared_ptr<const hitpipe::library::Placed> placed() const {
+    const std::scoped_lock lock(placing_);
+    return placed_;
+  }
+  void place(std::shared_ptr<const hitpipe::library::Placed> there) {
+    const std::scoped_lock lock(placing_);
+    placed_.swap(there);
+  }
 
-  mutable std::mutex finding;
-  mutable std::optional<hitpipe::ref::Closedness> found_closedness;
+ private:
+  mutable std::mutex placing_;
+  std::shared_ptr<const hitpipe::library::Placed> placed_;
 };
 
 namespace hitpipe::library {
-
-/// The bound of coordinates in the float world.
-inline constexpr float most_coordinate = 0x1p24F;
 
 /// Ray `i` of a caller as the scene's world takes it: in the cube, of an integer world. Throws a Refusal that names the
 /// ray.

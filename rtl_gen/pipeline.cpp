@@ -2,8 +2,8 @@
 
 #include "rtl_gen/component/product.hpp"
 #include "rtl_gen/graph/canonical.hpp"
+#include "rtl_gen/schedule/kept_searches.hpp"
 #include "rtl_gen/schedule/least_area.hpp"
-#include "rtl_gen/schedule/wider.hpp"
 
 namespace hitpipe::rtl {
 
@@ -40,6 +40,12 @@ int usual_clock_ps(const Graph& planned, const Library& library) {
   return clock;
 }
 
+/// A core has a few of them, and its fit tries some tens.
+KeptSearches& kept_searches() {
+  static KeptSearches all(32);
+  return all;
+}
+
 }  // namespace
 
 Pipeline make_pipeline(const Graph& traced, const Library& library, std::optional<int> clock_ps,
@@ -47,7 +53,7 @@ Pipeline make_pipeline(const Graph& traced, const Library& library, std::optiona
   const Graph planned = planned_graph(traced, library, interval);
   if (!clock_ps) clock_ps = usual_clock_ps(planned, library);
   auto [graph, shared] = interval == 1 ? SharedGraph{planned, {schedule_asap(planned, library, clock_ps), {}}}
-                                       : share_widened(planned, library, interval, clock_ps);
+                                       : kept_searches().share(planned, library, interval, clock_ps);
   Placement placement = place_registers(graph, shared.schedule, Ports::latched, shared.binding);
   use_block_registers(placement, graph, shared.schedule, library, shared.binding);
   drop_needless_enables(placement, graph, shared.schedule, shared.binding);

@@ -5,7 +5,11 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -62,32 +66,40 @@ Row number_cell(double number, OutputFormat format) {
   return format == OutputFormat::json ? Row(number) : Row(fmt::format("{:.6g}", number));
 }
 
+/// A binary32 of a file has as many digits as it needs.
+std::string coordinate_text(double x) {
+  const auto binary32 = static_cast<float>(x);
+  return static_cast<double>(binary32) == x ? fmt::format("{}", binary32) : fmt::format("{:.9g}", x);
+}
+
 /// In JSON an array.
 Row point_cell(const glm::dvec3& p, OutputFormat format) {
-  return format == OutputFormat::json ? Row{p.x, p.y, p.z}
-                                      : Row(fmt::format("{:.9g} {:.9g} {:.9g}", p.x, p.y, p.z));
+  return format == OutputFormat::json
+             ? Row{p.x, p.y, p.z}
+             : Row(fmt::format("{} {} {}", coordinate_text(p.x), coordinate_text(p.y), coordinate_text(p.z)));
 }
 
 /// What was read: the area of all triangles and their bounds, in the scene's own units.
-Row extent_of(const ref::Scene& scene, OutputFormat format) {
+Row extent_of(const ref::Scene& scene, std::span<const glm::dvec3> vertices, OutputFormat format) {
   double area = 0;
-  for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
-    const ref::Mesh::Corners t = scene.mesh.corners(i);
-    area += glm::length(glm::cross(glm::dvec3(t.b) - glm::dvec3(t.a), glm::dvec3(t.c) - glm::dvec3(t.a))) / 2;
+  ref::Bounds box{vertices[scene.mesh.triangles[0].x], vertices[scene.mesh.triangles[0].x]};
+  for (const glm::uvec3& t : scene.mesh.triangles) {
+    const glm::dvec3& a = vertices[t.x];
+    area += glm::length(glm::cross(vertices[t.y] - a, vertices[t.z] - a)) / 2;
+    for (int k = 0; k < 3; ++k) box.grow(vertices[t[k]]);
   }
-  const ref::Bounds cube = ref::mesh_bounds(scene.mesh);
-  return {{"area", number_cell(area / (scene.to_cube.scale * scene.to_cube.scale), format)},
-          {"min", point_cell(scene.to_cube.to_own(cube.min), format)},
-          {"max", point_cell(scene.to_cube.to_own(cube.max), format)}};
+  return {{"area", number_cell(area, format)},
+          {"min", point_cell(box.min, format)},
+          {"max", point_cell(box.max, format)}};
 }
 
-Row record(const BvhCommand& command, const ref::Scene& scene, const ref::LoadedBvh& hierarchy,
-           double seconds) {
+Row record(const BvhCommand& command, const ref::Scene& scene, std::span<const glm::dvec3> vertices,
+           const ref::LoadedBvh& hierarchy, double seconds) {
   const ref::BvhStatistics s = ref::statistics(hierarchy.bvh);
   Row row{{"scene", scene.name}};
   row.update(scene_row(scene));
-  row.update(extent_of(scene, command.format));
-  row.update(closed_row(scene, command.format));
+  row.update(extent_of(scene, vertices, command.format));
+  row.update(closed_row(scene, vertices, command.format));
   if (command.hierarchy.file.empty()) {
     row["builder"] = ref::builder_name(command.hierarchy.build.builder);
     row["max_triangles"] = command.hierarchy.build.max_triangles;
@@ -159,13 +171,14 @@ Row write_records(const BvhCommand& command, const ref::Bvh& bvh) {
           {"record_bytes", records.bytes_per_record}};
 }
 
-void print_one(const BvhCommand& command, const ref::Scene& scene) {
+/// `vertices` are those of the scene in its own units.
+void print_one(const BvhCommand& command, const ref::Scene& scene, std::span<const glm::dvec3> vertices) {
   std::optional<Progress> progress(command.hierarchy.file.empty() ? "building the hierarchy"
                                                                   : "reading the hierarchy");
   const auto start = std::chrono::steady_clock::now();
   const ref::LoadedBvh hierarchy = ref::make_hierarchy(scene, command.hierarchy);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  Row row = record(command, scene, hierarchy, seconds.count());
+  Row row = record(command, scene, vertices, hierarchy, seconds.count());
   if (!command.out.empty()) {
     host::write_file(command.out, ref::bvh_text(hierarchy.bvh, scene.mesh));
     row["file"] = command.out;
@@ -205,12 +218,15 @@ void report(BvhCommand command) {
     static_cast<void>(unit_of_records(command).format());
   }
   std::optional<Progress> progress("reading the scene");
-  const ref::Scene scene = command.scene.load();
+  ref::SceneDescription description = ref::describe_scene(command.scene.name, command.scene.placing);
+  const std::vector<glm::dvec3> vertices =
+      command.sweep ? std::vector<glm::dvec3>() : description.mesh.vertices;
+  const ref::Scene scene = command.scene.placed(std::move(description));
   progress.reset();
   if (command.sweep) {
     print_sweep(command, scene);
   } else {
-    print_one(command, scene);
+    print_one(command, scene, vertices);
   }
 }
 

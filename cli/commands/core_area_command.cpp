@@ -14,6 +14,7 @@
 #include "cli/options/values.hpp"
 #include "cli/text/help.hpp"
 #include "cli/text/table.hpp"
+#include "rtl_gen/core/axi.hpp"
 
 namespace hitpipe::cli {
 
@@ -25,7 +26,7 @@ struct CoreAreaCommand {
   OutputFormat format = OutputFormat::text;
 };
 
-/// What each part of the core takes, and all of them. Bits of memories are apart.
+/// What each part of the core takes, and all of them, and then what stands around it. Bits of memories are apart.
 void print_price(const CoreAreaCommand& command) {
   const rtl::Library library = rtl::library_called(command.library);
   const rtl::Core core = rtl::make_core(command.core.core(), library);
@@ -46,6 +47,11 @@ void print_price(const CoreAreaCommand& command) {
   for (std::size_t i = 0; i < core.parts.size(); ++i)
     add(core.parts[i].name, core.parts[i].format, price.parts[i]);
   add("core", core.options.bits, price.all);
+  std::vector<rtl::Part> around = rtl::behind_axi(core).parts;
+  std::erase_if(around, [](const rtl::Part& part) { return part.machine == nullptr; });
+  const area::CorePrice of_bus = area::price(around, library);
+  for (std::size_t i = 0; i < around.size(); ++i) add(around[i].name, around[i].format, of_bus.parts[i]);
+  add("core_axi", core.options.bits, price.all + of_bus.all);
   fmt::print("{}", table_text(rows, command.format));
 }
 
@@ -55,9 +61,8 @@ CLI::App* add_core_area_command(CLI::App& core, int& /*exit_code*/) {
   CLI::App* const command = core.add_subcommand("area", "Price a core and each of its parts");
   const auto options = std::make_shared<CoreAreaCommand>();
   add_core_bits_option(*command, options->core.bits, rtl::to_string(rtl::Format(options->core.options.bits)));
-  add_one_core_options(*command, options->core);
-  add_core_cache_options(*command, options->core);
-  add_core_limit_options(*command, options->core);
+  using Group = rtl::CoreOption::Group;
+  add_core_options(*command, options->core, {Group::rays, Group::core, Group::cache, Group::limits});
   add_library_option(*command, options->library);
   add_format_option(*command, options->format);
   add_examples(*command, {"hitpipe core area", "hitpipe core area --library xc7 --triangle-ii serial"});

@@ -59,7 +59,8 @@ struct CoreFitCommand {
 struct FittedTrace {
   std::string scene;
   sim::CoreTrace trace;
-  ref::IntError error;
+  std::uint64_t different_pixels = 0;
+  ref::Share different;  ///< rays that find another triangle than in floats
 };
 
 class Fitting {
@@ -162,12 +163,15 @@ class Fitting {
           *core_, machine, scene.image, rays, memory, {},
           [&](std::span<const sim::CoreAnswer> answers) { drawn = rays.drawn(answers, picture); });
       const auto of_scene = static_cast<std::size_t>(&scene - fit_->scenes.data());
-      made.error = ref::int_error(scenes_[of_scene], {.world = core_->options.bits.world(),
-                                                      .width = picture.width,
-                                                      .height = picture.height,
-                                                      .hierarchy = command_.hierarchy});
+      const ref::IntError error = ref::int_error(scenes_[of_scene], {.world = core_->options.bits.world(),
+                                                                     .width = picture.width,
+                                                                     .height = picture.height,
+                                                                     .hierarchy = command_.hierarchy});
+      made.different_pixels = error.different_pixels;
+      const sim::TriedWorld* const taken = fit_->taken();
+      made.different = taken == nullptr ? error.different() : taken->different[of_scene];
       draw(stem(name) + ".png", drawn);
-      draw(stem(name) + "_different.png", marked(drawn, made.error.different_at));
+      draw(stem(name) + "_different.png", marked(drawn, error.different_at));
     }
   }
   /// The picture in grey, with the pixels that differ in red.
@@ -190,24 +194,15 @@ class Fitting {
     implemented_ = sim::implement_core(fit_->core, *target_, options);
   }
 
-  [[nodiscard]] Row cut_row(const sim::CoreCut& cut) const {
-    const std::int64_t with = sim::size_of(fit_->price.all, library_),
-                       without = sim::size_of(cut.without, library_);
-    return {{"left_out", cut.what},
-            {"share_pct", 100.0 * static_cast<double>(without - with) / static_cast<double>(without)},
-            {"why", cut.why}};
-  }
   [[nodiscard]] Row trace_row(const FittedTrace& traced) const {
-    const auto pct = [](std::uint64_t part, std::uint64_t whole) {
-      return 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(1, whole));
-    };
-    return {{"scene", traced.scene},
+    Row row{{"scene", traced.scene},
             {"rays", traced.trace.counts.rays},
             {"wrong", traced.trace.wrong},
             {"failed", traced.trace.counts.failed},
             {"cycles_a_ray", traced.trace.a_ray(traced.trace.counts.cycles)},
-            {"other_triangles_pct", pct(traced.error.different_rays, traced.error.rays)},
-            {"different_pixels", traced.error.different_pixels}};
+            {"different_pixels", traced.different_pixels}};
+    add_other_triangles(row, traced.different);
+    return row;
   }
 
   int report() {
@@ -215,11 +210,12 @@ class Fitting {
     core.update(core_row(fit_->core, fit_->price.all, fit_->rate, library_));
     usual.update(core_row(fit_->before, fit_->price_before.all, fit_->rate_before, library_));
     std::vector<Row> tried, cuts, traced;
-    for (const sim::TriedWorld& each : fit_->tried)
-      tried.push_back({{"bits", rtl::to_string(rtl::Format(each.bits))},
-                       {"other_triangles_pct", each.error_pct},
-                       {"taken", each.taken ? "yes" : ""}});
-    for (const sim::CoreCut& cut : fit_->cuts) cuts.push_back(cut_row(cut));
+    for (const sim::TriedWorld& each : fit_->tried) {
+      Row& row = tried.emplace_back(Row{{"bits", rtl::to_string(rtl::Format(each.bits))}});
+      add_other_triangles(row, each.worst());
+      row["taken"] = each.taken ? "yes" : "";
+    }
+    for (const sim::CoreCut& cut : fit_->cuts) cuts.push_back(cut_row(cut, fit_->price.all, library_));
     for (const FittedTrace& each : traces_) traced.push_back(trace_row(each));
     Row all = notes_of(parsed_);
     all.update({{"module", core_->module},
@@ -258,16 +254,29 @@ class Fitting {
       fmt::print("{}", table_text(cuts, OutputFormat::csv));
       return;
     }
-    if (!tried.empty()) fmt::print("{}\n", table_text(tried, OutputFormat::text));
+    if (!tried.empty()) fmt::print("{}\n", shares_table(tried));
     fmt::print("{}\n", columns_text(cores));
     if (!cuts.empty()) fmt::print("{}\n", table_text(cuts, OutputFormat::text));
-    fmt::print("{}", table_text(traced, OutputFormat::text));
+    fmt::print("{}", shares_table(traced));
     if (all.contains("mapped"))
       fmt::print("\n{}", record_text(without_nothing(all.at("mapped")), OutputFormat::text));
     fmt::print(
-        "\nA share is how much smaller the core is than without that cut alone; shares do not add "
-        "up.\nmemory: {}; files: {}\n",
-        command_.memory, command_.out);
+        "\nA share is how much smaller the core is than without that cut alone; shares do\n"
+        "not add up.\n"
+        "others: compared rays that find another triangle than in floats; Wilson's 95 %\n"
+        "pixels: those that differ from the picture in floats\n{}memory: {}; files: {}\n",
+        not_known(), command_.memory, command_.out);
+  }
+
+  /// What no picture can tell of the error that was asked for.
+  [[nodiscard]] std::string not_known() const {
+    const sim::TriedWorld* const taken = fit_->taken();
+    if (taken == nullptr) return "";
+    const double high = taken->worst().percent_interval().high;
+    if (high <= options_->error_pct) return "";
+    return fmt::format(
+        "No picture tells whether --error {:g} holds: no compared ray differs, so {:.2g} % at most may.\n",
+        options_->error_pct, high);
   }
 
   const CoreFitCommand& command_;
@@ -283,20 +292,6 @@ class Fitting {
   std::string step_;
   std::optional<Progress> progress_;
 };
-
-/// Options that a fit chooses unless they are given.
-constexpr std::pair<const char*, bool sim::CoreFixed::*> chosen_by_fit[] = {
-    {"--rays", &sim::CoreFixed::rays},
-    {"--stack", &sim::CoreFixed::stack},
-    {"--triangle-ii", &sim::CoreFixed::triangles},
-    {"--cache", &sim::CoreFixed::cache},
-    {"--levels", &sim::CoreFixed::levels},
-    {"--block-bits", &sim::CoreFixed::block_bits},
-    {"--address-bits", &sim::CoreFixed::byte_bits},
-    {"--tag-bits", &sim::CoreFixed::tag_bits},
-    {"--number-bits", &sim::CoreFixed::number_bits},
-    {"--leaf-bits", &sim::CoreFixed::leaf_bits},
-    {"--step-bits", &sim::CoreFixed::step_bits}};
 
 }  // namespace
 
@@ -322,8 +317,10 @@ CLI::App* add_core_fit_command(CLI::App& core, int& exit_code) {
           "Bits of coordinates, n+gsS, or of boxes too, n+g/psS. By default those that --error allows")
       ->type_name("FORMAT");
   command
-      ->add_option("--error", options->fit.error_pct,
-                   "Percent of the rays that may find another triangle than in the float world")
+      ->add_option(
+          "--error", options->fit.error_pct,
+          "Percent of the rays that may find another triangle than in the float world. As many rays are "
+          "compared as tell it; Wilson's 95 % interval has to end below it")
       ->transform(number_from(0.0, 100.0))
       ->capture_default_str()
       ->type_name("P");
@@ -348,14 +345,14 @@ CLI::App* add_core_fit_command(CLI::App& core, int& exit_code) {
   add_library_option(*command, options->library);
   CLI::Option* const target = add_target_option(*command, options->target);
   exclude(target, command->get_option("--library"), "a target has its library");
-  add_one_core_options(*command, options->core);
-  add_core_cache_options(*command, options->core);
-  add_core_port_options(*command, options->core);
-  add_core_limit_options(*command, options->core);
-  for (const auto& [option, fixed] : chosen_by_fit) command->get_option(option)->default_str("by the fit");
+  using Group = rtl::CoreOption::Group;
+  add_core_options(*command, options->core,
+                   {Group::rays, Group::core, Group::cache, Group::ports, Group::limits});
+  for (const auto& [option, fixed] : sim::fitted_options)
+    command->get_option(std::string(option))->default_str("by the fit");
   add_count_option(*command, "--clock-ps", options->core.options.clock_ps, {1, 1'000'000'000},
                    "Clock period in picoseconds of the units; by default that of the slowest machine");
-  add_core_bus_options(*command, options->core);
+  add_core_options(*command, options->core, {Group::bus});
   command
       ->add_option("--name", options->module,
                    "Name of the Verilog module, which also begins the names of all files")
@@ -368,8 +365,8 @@ CLI::App* add_core_fit_command(CLI::App& core, int& exit_code) {
                           "hitpipe core fit --scene spheres --bits 12+0s12 --target ice40_up5k --out core"});
   command->callback([options, command, &exit_code] {
     options->hierarchy.build.threads = options->placing.threads;
-    for (const auto& [option, fixed] : chosen_by_fit)
-      options->fit.fixed.*fixed = command->get_option(option)->count() > 0;
+    for (const auto& [option, fixed] : sim::fitted_options)
+      options->fit.fixed.*fixed = command->get_option(std::string(option))->count() > 0;
     const auto unused = [&](const char* option, const char* why) {
       if (command->get_option(option)->count() > 0)
         throw CLI::ParseError(fmt::format("{}: {}", option, why), CLI::ExitCodes::ExcludesError);

@@ -95,16 +95,11 @@ CLI::App* add_core_implement_command(CLI::App& core, int& exit_code) {
       "Clock period in picoseconds for the schedule of its units; by default that of the slowest "
       "machine, on a board three quarters of its clock");
   add_seeds_option(*command, options->options.seeds)->needs(board);
-  for (CLI::Option* const option : add_one_core_options(*command, options->core))
+  using Group = rtl::CoreOption::Group;
+  for (CLI::Option* const option :
+       add_core_options(*command, options->core,
+                        {Group::rays, Group::core, Group::ports, Group::limits, Group::cache, Group::bus}))
     exclude(option, board, "a board has a core of its own");
-  for (CLI::Option* const option : add_core_port_options(*command, options->core))
-    exclude(option, board, "a board has a core of its own");
-  for (CLI::Option* const option : add_core_limit_options(*command, options->core))
-    exclude(option, board, "a board has a core of its own");
-  for (CLI::Option* const option : add_core_cache_options(*command, options->core))
-    exclude(option, board, "a board's core has its image in the chip");
-  for (CLI::Option* const option : add_core_bus_options(*command, options->core))
-    exclude(option, board, "a board's core has no AXI");
   add_format_option(*command, options->format);
   add_examples(*command, {"hitpipe core implement --target xc7 --out core",
                           "hitpipe core implement --board icebreaker --out core"});

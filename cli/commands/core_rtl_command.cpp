@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
 #include "cli/options/core_options.hpp"
@@ -45,10 +46,13 @@ void emit_core(const CoreRtlCommand& command) {
   std::vector<std::string> names;
   for (const host::File& file : files)
     names.push_back((std::filesystem::path(command.out) / file.name).string());
+  std::vector<std::string> features;
+  for (const rtl::Feature* const feature : rtl::features_of(core.options))
+    features.emplace_back(feature->name);
   Row row{{"core", core.module},
           {"bits", rtl::to_string(rtl::Format(core.options.bits))},
           {"rays", core.options.rays},
-          {"door", rtl::door_name(core.options.door)}};
+          {"features", fmt::format("{}", fmt::join(features, ", "))}};
   for (const rtl::Part& part : core.parts)
     if (part.pipeline) row[fmt::format("{}_latency", part.name)] = part.pipeline->latency();
   row.update(Row{{"clock_ps", core.clock_ps},
@@ -66,11 +70,9 @@ CLI::App* add_core_rtl_command(CLI::App& core, int& /*exit_code*/) {
   const auto options = std::make_shared<CoreRtlCommand>();
   add_core_bits_option(*command, options->core.bits, rtl::to_string(rtl::Format(options->core.options.bits)));
   add_folder_option(*command, options->out, "Folder to write to; made if it is not there")->required();
-  add_one_core_options(*command, options->core);
-  add_core_cache_options(*command, options->core);
-  add_core_port_options(*command, options->core);
-  add_core_limit_options(*command, options->core);
-  add_core_bus_options(*command, options->core);
+  using Group = rtl::CoreOption::Group;
+  add_core_options(*command, options->core,
+                   {Group::rays, Group::core, Group::cache, Group::ports, Group::limits, Group::bus});
   add_library_option(*command, options->library);
   add_count_option(*command, "--clock-ps", options->core.options.clock_ps, {1, 1'000'000'000},
                    "Clock period in picoseconds; by default what the slowest component needs, on iCE40 up to "

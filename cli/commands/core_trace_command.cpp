@@ -54,6 +54,7 @@ struct TraceCommand {
   RayListChoice rays;
   EdgeRayChoice edges;
   CoreChoice core;
+  int model_kib = 0;  ///< of a cache that is a model in front of memory; 0: there is none
   std::string memory{"ideal"};
   std::string library{rtl::default_library};
   bool native = false;
@@ -88,14 +89,7 @@ CoreScene scene_of(const TraceCommand& command) {
 
 sim::MemoryOptions memory_of(const TraceCommand& command) {
   sim::MemoryOptions memory = sim::memory_behind(sim::memory_port(command.memory), command.core.core());
-  if (!command.core.has_model()) return memory;
-  constexpr rtl::CoreOptions model;
-  const rtl::CoreOptions& core = command.core.options;
-  if (core.cache_line != model.cache_line || core.cache_ways != model.cache_ways)
-    throw std::runtime_error(fmt::format(
-        "--cache {}: a model with other lines or ways than {} bytes and {}; allowed is up to {} with these",
-        command.core.cache_kib, model.cache_line, model.cache_ways, rtl::CoreOptions::most_cache_kib));
-  memory.cache_kib = command.core.cache_kib;
+  memory.cache_kib = command.model_kib;
   return memory;
 }
 
@@ -106,7 +100,9 @@ class Tracing {
       : command_(command),
         library_(rtl::library_called(command.library)),
         traced_(scene_of(command)),
-        walking_{.world = bits(), .boxes = usual_box_format(bits()), .places = command.core.places},
+        walking_{.world = bits(),
+                 .boxes = usual_box_format(bits()),
+                 .places = 1 << command.core.options.stack_bits},
         memory_(memory_of(command)) {
     check_room();
     if (command.rays.given()) list_ = sim::read_ray_list(command.rays.file, traced_.scene->scene.to_cube);
@@ -170,6 +166,8 @@ class Tracing {
                            questions);
   }
   [[nodiscard]] bool is_closed() const { return questions_.closed; }
+  /// In the core, or as a model.
+  [[nodiscard]] bool has_cache() const { return memory_.reads_lines || memory_.cache_kib > 0; }
 
   /// Writes the T that the core gave, so that a wrong T shows.
   void write(AnswersFile& file, int rays_in_flight, const std::vector<CoreRayAnswer>& answers) const {
@@ -236,7 +234,7 @@ bool report(const std::vector<CoreRun>& runs, const Row& about, OutputFormat for
   if (format == OutputFormat::text) {
     if (about.value("cache_is_model", false))
       fmt::print("cache: a model in front of the core, which has at most {} KiB itself\n",
-                 rtl::CoreOptions::most_cache_kib);
+                 rtl::core_option("--cache").most);
     fmt::print("hierarchy: {}\nscene: {}\n", about.value("hierarchy", ""), summary_of(about.at("mesh")));
   }
   return right;
@@ -260,8 +258,8 @@ std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, ho
   scene = tracing.traced().scene->scene.name;
   AnswersFile file(command.rays.answers, {"rays_in_flight"});
   about = {{"hierarchy", tracing.traced().hierarchy},
-           {"cache", command.core.cache_kib > 0},
-           {"cache_is_model", command.core.has_model()},
+           {"cache", tracing.has_cache()},
+           {"cache_is_model", command.model_kib > 0},
            {"mesh", tracing.traced().mesh}};
   if (command.edges.given()) about["closed"] = tracing.is_closed();
   const bool draws = !command.pieces.piece && !command.out.empty();
@@ -367,11 +365,16 @@ CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
       ->capture_default_str()
       ->transform(number_from(1, 256))
       ->type_name("N");
-  add_core_options(*command, options->core);
-  add_core_limit_options(*command, options->core);
+  using Group = rtl::CoreOption::Group;
+  add_core_options(*command, options->core, {Group::core, Group::limits});
   add_memory_option(*command, options->memory);
-  add_core_bus_options(*command, options->core);
-  add_core_cache_options(*command, options->core, 65'536);
+  constexpr int most_model_kib = sim::MemoryOptions::most_cache_kib;
+  add_core_options(
+      *command, options->core, {Group::bus, Group::cache},
+      Beyond{"--cache", most_model_kib, options->model_kib,
+             fmt::format(". A larger one, up to {}, is a model in front of memory, with 8 ways and "
+                         "lines of 64 bytes",
+                         most_model_kib)});
   add_library_option(*command, options->library);
   command->add_flag("--native", options->native,
                     "The core as C++, which is the same in every cycle; else as Verilog");
@@ -396,6 +399,12 @@ CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
                                 ? "--rays excludes --out: the rays of a file make no picture"
                                 : "--edge-rays excludes --out: rays at edges make no picture",
                             CLI::ExitCodes::ExcludesError);
+    for (const char* const of_core : {"--cache-line", "--cache-ways"})
+      if (options->model_kib > 0 && command->get_option(of_core)->count() > 0)
+        throw CLI::ParseError(
+            fmt::format("{}: --cache {} is a model in front of memory; allowed is up to {} with these",
+                        of_core, options->model_kib, rtl::core_option("--cache").most),
+            CLI::ExitCodes::ExcludesError);
     options->edges.check(*command, options->core.options.questions);
     exit_code = options->pieces.join.empty() ? trace_scene(*options, *command) : join(*options, *command);
   });

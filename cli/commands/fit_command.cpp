@@ -137,14 +137,19 @@ void add_search(Row& row, const std::optional<sim::Precision>& precision, bool l
               {"search_cost", searched ? cost_of(precision->cost) : Row(nullptr)}});
 }
 
+Row known(const std::optional<double>& value) {
+  return value ? Row(*value) : Row(nullptr);
+}
+
 /// Of units that need not take a test in each cycle, also how often this one does.
 Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const ref::Scene& scene,
            const FitCommand& command) {
   const auto& [unit, vectors, result, rays_per_second, drawn] = fitted;
   Row left_out = Row::array();
   for (const sim::LeftOut& left : unit.left_out)
-    left_out.push_back(fmt::format("{} ({}): {:.2f} % of the area", left.what, left.why,
-                                   percent_of(left.area_um2, unit.price_before.area_um2)));
+    left_out.push_back({{"left_out", left.what},
+                        {"share_pct", percent_of(left.area_um2, unit.price_before.area_um2)},
+                        {"why", left.why}});
   Row demands = Row::array();
   for (std::size_t i = 0; i < unit.demands.count(); ++i) demands.push_back(rtl::demand_text(unit.demands, i));
   Row row{{"design", unit.design->name},
@@ -152,9 +157,8 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const ref
           {"bits_before", rtl::to_string(unit.before)},
           {"dropped_bits", sim::coarse_axes(unit).dropped},
           {"ray_ends", sim::takes_ends(unit)},
-          {"endless_extra_box_tests_pct", unit.precision && unit.precision->endless_extra_box_tests_pct
-                                              ? Row(*unit.precision->endless_extra_box_tests_pct)
-                                              : Row(nullptr)},
+          {"endless_extra_box_tests_pct",
+           unit.precision ? known(unit.precision->endless_extra_box_tests_pct) : Row(nullptr)},
           {"formats_measured", unit.precision ? unit.precision->formats_measured : 0}};
   add_search(row, unit.precision, command.least_area());
   row.update({{"scene", scene.name},
@@ -171,8 +175,12 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const ref
               {"rays", result.rays_primary + result.rays_secondary + result.rays_shadow},
               {"box_tests", result.unit.box_tests},
               {"extra_box_tests_pct", result.extra_box_tests_pct()},
+              {"extra_box_tests_pct_low", known(counted.extra_box_pct_low)},
+              {"extra_box_tests_pct_high", known(counted.extra_box_pct_high)},
               {"triangle_tests", counted.triangle_tests},
               {"extra_triangle_tests_pct", counted.extra_triangle_tests_pct()},
+              {"extra_triangle_tests_pct_low", known(counted.extra_triangle_pct_low)},
+              {"extra_triangle_tests_pct_high", known(counted.extra_triangle_pct_high)},
               {"bytes_per_ray", counted.bytes_per_ray()},
               {"whole_run_time_ms", counted.whole_run_time_ms()},
               {"whole_area_run_time_mm2_ms", counted.whole_area_run_time_mm2_ms()},
@@ -203,7 +211,13 @@ std::string reports_text(const std::vector<FitReport>& reports, const std::vecto
     return fit_text(scene.scene.name, scene.demands, reports, advice);
   }
   std::vector<Row> rows;
-  for (const FitReport& report : reports) rows.push_back(report.row);
+  for (const FitReport& report : reports) {
+    Row& row = rows.emplace_back(report.row);
+    if (format == OutputFormat::json) continue;
+    for (Row& cut : row.at("left_out"))
+      cut = fmt::format("{} ({}): {:.2f} % of the area", cut.at("left_out").get<std::string>(),
+                        cut.at("why").get<std::string>(), cut.at("share_pct").get<double>());
+  }
   return table_text(rows, format);
 }
 

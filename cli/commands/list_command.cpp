@@ -11,6 +11,7 @@
 #include "host/text.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/core/feature.hpp"
 #include "sw_ref/scene/built_in.hpp"
 
 namespace hitpipe::cli {
@@ -44,6 +45,24 @@ std::string scenes_text(OutputFormat format) {
       row.update({{"least", scene.least}, {"most", scene.most}, {"lights", scene.lights}});
     row["stands_for"] = scene.stands_for;
     row["what"] = scene.what;
+  }
+  return table_text(rows, format);
+}
+
+/// What a core may have.
+std::string features_text(OutputFormat format) {
+  std::vector<Row> rows;
+  for (const rtl::Feature* const each : rtl::all_features()) {
+    const std::string option(each->smallest);
+    Row& row = rows.emplace_back(Row{{"feature", each->name}});
+    row["option"] = format == OutputFormat::text ? option.substr(0, option.find(' ')) : option;
+    row["what"] = each->summary;
+    if (format != OutputFormat::json) continue;
+    for (const rtl::Needs& other : each->needs) row["needs"].push_back(other.feature);
+    for (const rtl::Excludes& other : each->excludes) row["excludes"].push_back(other.feature);
+    for (const rtl::Failure& failure : each->failures)
+      row["failures"].push_back({{"what", failure.what}, {"shows", failure.shows}});
+    row.update({{"proved", each->proved}, {"tested", each->tested}});
   }
   return table_text(rows, format);
 }
@@ -89,11 +108,12 @@ struct ListCommand {
 
 CLI::App* add_list_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command =
-      program.add_subcommand("list", "List the designs, machines, component libraries or built-in scenes");
+      program.add_subcommand("list", "List designs, machines, features of the core, libraries or scenes");
   const auto options = std::make_shared<ListCommand>();
   add_choice_option<Listing>(*command, "what", options->listing,
                              {{"designs", designs_text},
                               {"machines", machines_text},
+                              {"features", features_text},
                               {"libraries", libraries_text},
                               {"scenes", scenes_text}},
                              "What to list")

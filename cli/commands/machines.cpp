@@ -1,5 +1,6 @@
 #include "cli/commands/machines.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -86,6 +87,20 @@ std::string machines_text(OutputFormat format) {
 
 void of_units(CLI::App& command, const std::vector<std::string>& names) {
   for (const std::string& name : names) command.get_option(name)->group(units_only);
+  const auto tell = [&](const char* name, const std::string& before, const std::string& more) {
+    CLI::Option* const option = command.get_option(name);
+    std::string text = option->get_description();
+    option->description(text.insert(text.find(before) + before.size(), more));
+  };
+  tell("design", "`hitpipe list designs`", " or `hitpipe list machines`");
+  const std::string bits = command.get_option("--bits")->get_description();
+  tell("--bits", bits, ". Formats of machines: `hitpipe list machines --format json`");
+}
+
+bool takes_machines(const CLI::App& command) {
+  const std::vector<const CLI::Option*> options = command.get_options();
+  return std::any_of(options.begin(), options.end(),
+                     [](const CLI::Option* option) { return option->get_group() == units_only; });
 }
 
 void refuse_of_units(const CLI::App& command, const rtl::Machine& machine) {

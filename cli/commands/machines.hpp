@@ -36,8 +36,11 @@ void print_machine_prices(const std::vector<const rtl::Machine*>& machines,
 
 [[nodiscard]] std::string machines_text(OutputFormat format);
 
-/// Puts these options of a command under a heading of their own: a unit has them, a machine has not.
+/// For a command whose names may be machines: its help says where they are listed. Puts these options under a
+/// heading of their own: a unit has them, a machine has not.
 void of_units(CLI::App& command, const std::vector<std::string>& names);
+/// Whether of_units() was called.
+[[nodiscard]] bool takes_machines(const CLI::App& command);
 /// Throws std::runtime_error, one line, when one of them was given for a machine.
 void refuse_of_units(const CLI::App& command, const rtl::Machine& machine);
 

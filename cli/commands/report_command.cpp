@@ -43,9 +43,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What --without takes, as report/report.py calls them.
-constexpr std::array<std::string_view, 7> sections{"images", "pipelines", "stability", "stiff",
-                                                   "world",  "core",      "schematics"};
+/// What --without takes, as the programs of cli/report call them.
+constexpr std::array<std::string_view, 8> sections{"pipelines", "world", "core",   "stability",
+                                                   "stiff",     "fit",   "images", "schematics"};
 
 struct ReportCommand {
   SceneChoice scene;
@@ -61,7 +61,6 @@ struct ReportCommand {
   std::uint64_t seed = 1;
   std::string out;
   std::optional<double> plot_width_mm;
-  bool fit = false;
   std::vector<std::string> without;  ///< sections
   OutputFormat format = OutputFormat::text;
 };
@@ -79,7 +78,7 @@ std::string options_given(const CLI::App& command, Given which, const ref::Hiera
     const bool of_scene =
         name != "--out" && name != "--plot-width" && name != "--rows" && name != "--bits" && name != "--ii" &&
         !name.starts_with("--image-") && name != "--tests" && name != "--seed" && name != "--threads" &&
-        name != "--format" && name != "--faces" && name != "--fit" && name != "--without" &&
+        name != "--format" && name != "--faces" && name != "--without" &&
         std::ranges::find(talk_options(), name) == talk_options().end() && !option->get_positional();
     const bool of_cost = name == "--library" || name == "--tests-only" || name.starts_with("--triangle-");
     const bool of_picture = name == "--width" || name == "--height" || name == "--bounces" ||
@@ -203,12 +202,11 @@ Row plan_of(const ReportCommand& command, const CLI::App& options) {
   if (const std::string why = sim::why_not_traced(command.image.design()); !why.empty())
     throw std::runtime_error(why);
   // What --rows may name.
-  for (const char* const name : {"rows.csv", "pictures.csv", "pipelines.csv", "stability.csv",
-                                 "stiffness.csv", "integer_world.csv", "core.csv"})
+  for (const char* const name :
+       {"rows.csv", "pictures.csv", "pipelines.csv", "stability.csv", "stiffness.csv", "integer_world.csv",
+        "core.csv", "fitted.csv", "left_out.csv", "core_fit.csv"})
     host::announce_output("--out", fs::path(command.out) / name);
   const rtl::Library library = command.cost.load();
-  if (command.fit && command.cost.library != rtl::default_library)
-    throw std::runtime_error("--fit: a fit is priced by the default library alone");
   const bool named = !command.swept.names.empty();
   std::vector<sim::DesignFormats> formats;
   if (command.rows.empty())
@@ -257,7 +255,6 @@ Row plan_of(const ReportCommand& command, const CLI::App& options) {
            {"seed", command.seed},
            {"baseline", area::baseline_design().design},
            {"image", image_row(command.image, formats)},
-           {"fit", command.fit},
            {"fit_designs", Row::array()},
            {"without", command.without}};
   if (options.get_option("--threads")->count() > 0)
@@ -273,7 +270,6 @@ Row plan_of(const ReportCommand& command, const CLI::App& options) {
   plan["priced_units"] = Row::array();
   for (const auto& [design, format] : close_units(formats, named)) {
     const Row unit = unit_row(*design, format);
-    plan["units"].push_back(unit);
     if (sim::why_not_priced(*design, format, library).empty()) plan["priced_units"].push_back(unit);
   }
   if (!rows.empty()) {
@@ -334,8 +330,6 @@ CLI::App* add_report_command(CLI::App& program, int& /*exit_code*/) {
   add_seed_option(*command, options->seed);
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
   add_plot_width_option(*command, options->plot_width_mm);
-  command->add_flag("--fit", options->fit,
-                    "Also fit each design to the scene, and show its unit beside the others");
   add_list_option(*command, "--without", options->without,
                   fmt::format("Leave out these sections: {}", fmt::join(sections, ", ")), "SECTION")
       ->check(CLI::Validator(

@@ -19,10 +19,6 @@ namespace hitpipe::cli {
 
 namespace {
 
-double percent(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
-
 /// What a unit costs, and how long it is busy with so many tests.
 void add_cost(Row& row, const std::string& unit, const area::Price& price, std::uint64_t tests) {
   if (price.taken.luts > 0) {
@@ -50,6 +46,7 @@ std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, con
                        command.interval);
   };
   const area::Price triangle_price = price(*command.design, format);
+  const ref::Share rays = error.different(), pixels{error.different_pixels, error.pixels};
   std::vector<Row> rows;
   for (std::size_t i = 0; i < options.boxes.size(); ++i) {
     const rtl::Format boxes = options.boxes[i];
@@ -61,11 +58,15 @@ std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, con
         {"boxes", rtl::to_string(boxes)},
         {"rays", error.rays},
         {"different_rays", error.different_rays},
-        {"different_rays_pct", percent(error.different_rays, error.rays)},
+        {"different_rays_pct", rays.percent()},
+        {"different_rays_pct_low", rays.percent_interval().low},
+        {"different_rays_pct_high", rays.percent_interval().high},
         {"lost_hits", error.lost_hits},
         {"pixels", error.pixels},
         {"different_pixels", error.different_pixels},
-        {"different_pixels_pct", percent(error.different_pixels, error.pixels)},
+        {"different_pixels_pct", pixels.percent()},
+        {"different_pixels_pct_low", pixels.percent_interval().low},
+        {"different_pixels_pct_high", pixels.percent_interval().high},
         {"largest_difference", error.largest_difference},
         {"triangles", error.triangles},
         {"degenerate_dropped", scene.mesh.without_area},

@@ -1,11 +1,13 @@
-// The options by which commands choose a core.
+// The options by which commands choose a core. Most of them are what its features say (rtl_gen/core/feature.hpp).
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "rtl_gen/core/core.hpp"
+#include "rtl_gen/core/core_options.hpp"
+#include "rtl_gen/core/feature.hpp"
 
 namespace CLI {
 class App;
@@ -16,36 +18,27 @@ namespace hitpipe::cli {
 
 struct CoreChoice {
   std::optional<std::string> bits;  ///< as the user wrote it; without: those of `options`
-  int places = 8;                   ///< of a ray's stack
-  int cache_kib = 0;                ///< 0: no cache
   rtl::CoreOptions options{};
 
-  /// With the stack's places and the format that the user wrote. Throws std::runtime_error, one line, when
-  /// the places are no power of two, or when there is no such format.
+  /// With the format that the user wrote. Throws std::runtime_error, one line, when there is no such format.
   [[nodiscard]] rtl::CoreOptions core() const;
-  /// A cache that is too large for a core is a model in front of memory.
-  [[nodiscard]] bool has_model() const { return cache_kib > rtl::CoreOptions::most_cache_kib; }
 };
 
 /// Adds --bits.
 void add_core_bits_option(CLI::App& command, std::optional<std::string>& bits, const std::string& otherwise);
 
-// Each of these adds options and returns them.
-
-/// --stack, --levels, --triangle-ii, --door, --dma, --barycentrics and --questions.
-std::vector<CLI::Option*> add_core_options(CLI::App& command, CoreChoice& choice);
-/// These and --rays, for a command with one core.
-std::vector<CLI::Option*> add_one_core_options(CLI::App& command, CoreChoice& choice);
-/// The AXI bus to memory: --data-bits and --in-order.
-std::vector<CLI::Option*> add_core_bus_options(CLI::App& command, CoreChoice& choice);
-/// --cache, --cache-line and --cache-ways.
-std::vector<CLI::Option*> add_core_cache_options(CLI::App& command, CoreChoice& choice,
-                                                 int most_kib = rtl::CoreOptions::most_cache_kib);
+/// Numbers above those of an option, which the command takes as something else. `value` is 0 without one.
+struct Beyond {
+  std::string_view option;
+  int most;
+  int& value;
+  std::string what;  ///< behind the help of the option
+};
+/// Adds the options of these groups, and returns them.
+std::vector<CLI::Option*> add_core_options(CLI::App& command, CoreChoice& choice,
+                                           std::initializer_list<rtl::CoreOption::Group> groups,
+                                           const std::optional<Beyond>& beyond = {});
 /// --memory, as memory_port() reads it.
 void add_memory_option(CLI::App& command, std::string& memory);
-/// Widths of ports and block RAMs, which only Verilog that is written needs to know.
-std::vector<CLI::Option*> add_core_port_options(CLI::App& command, CoreChoice& choice);
-/// What a core has fewer bits for than an image: --number-bits, --leaf-bits and --step-bits.
-std::vector<CLI::Option*> add_core_limit_options(CLI::App& command, CoreChoice& choice);
 
 }  // namespace hitpipe::cli

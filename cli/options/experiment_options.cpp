@@ -42,7 +42,7 @@ void add_experiment_options(CLI::App& command, thesis::ExperimentOptions& option
                   "Triangles of each stand-in that scales (default: its own size)")
       ->type_name("N");
   add_count_option(command, "--repeats", options.repeats, {1, 1000},
-                   "Timed runs of each kind; the fastest counts")
+                   "Timed runs of each kind; the median counts")
       ->capture_default_str();
   add_count_option(command, "--threads", options.threads, {1, 1024},
                    "Number of threads for counting; timing uses one thread")

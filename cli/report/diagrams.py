@@ -1,34 +1,47 @@
 """The diagrams of a report, from the rows of its files."""
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping, Sequence
 
-from plots import COLOURS, GREY, Line2D, Log, Picture, key, style
+from plots import COLOURS, GREY, Line2D, Picture, beyond, key, log_axis, plain, style
 from tables import Row
 
 EXTRA_BOXES = "extra box tests, % above conservative float slabs"
 EXTRA_TRIANGLES = "extra triangle tests, % above conservative float slabs"
 
 
-def error_diagrams(on_chip: bool) -> list[tuple[str, str, str, str, str, str]]:
-    """Name, title, column of the cost, its label, column of the error, its label."""
+@dataclasses.dataclass(frozen=True)
+class Diagram:
+    """Columns of rows.csv across and up, with their labels. A column with intervals has others, NAME_low and NAME_high."""
+    name: str
+    title: str
+    cost: str
+    cost_label: str
+    error: str
+    error_label: str
+
+
+def error_diagrams(on_chip: bool) -> list[Diagram]:
+    """Error against what it costs."""
     unit, area = ("lut", "lookup tables") if on_chip else ("mm2", "area")
     of, in_unit = ("lookup tables × run time", "LUT ms") if on_chip else ("area × run time", "mm² ms")
     boxes, triangles = ("extra_box_tests_pct", EXTRA_BOXES), ("extra_triangle_tests_pct", EXTRA_TRIANGLES)
     return [
-        ("error_run_time", "error and run time of box tests alone", "run_time_ms",
-         "run time of the box tests, ms (cycles × clock period)", *boxes),
-        ("error_software_time", "error and measured run time in software", "software_s_per_mray",
-         "processor time in software, s for a million rays", *boxes),
-        ("error_area", "error and area", f"area_per_box_{unit}",
-         f"{area} for each box tested in a cycle" + ("" if on_chip else ", mm²"), *boxes),
-        ("error_area_run_time", f"error and {of} of box tests alone", f"area_run_time_{unit}_ms",
-         f"{of} of the box tests, {in_unit}", *boxes),
-        ("whole_run_time", "error and run time with triangle tests", "whole_run_time_ms",
-         "run time of box tests and triangle tests, ms", *triangles),
-        ("whole_area_run_time", f"error and {of} with triangle tests", f"whole_area_run_time_{unit}_ms",
-         f"{of} of box unit and triangle unit, {in_unit}", *triangles),
-        ("memory", "error and memory traffic", "bytes_per_ray", "bytes of nodes and triangles for each ray", *boxes)]
+        Diagram("error_run_time", "error and run time of box tests in hardware", "run_time_ms",
+                "run time of the box tests, ms (cycles × clock period)", *boxes),
+        Diagram("error_software_time", "error and run time of the same tests in software", "software_s_per_mray",
+                "processor time of this machine, µs a ray", *boxes),
+        Diagram("whole_run_time", "error and run time with triangle tests", "whole_run_time_ms",
+                "run time of box tests and triangle tests, ms", *triangles),
+        Diagram("error_area", "error and area", f"area_per_box_{unit}",
+                f"{area} for each box tested in a cycle" + ("" if on_chip else ", mm²"), *boxes),
+        Diagram("error_area_run_time", f"error and {of} of box tests alone", f"area_run_time_{unit}_ms",
+                f"{of} of the box tests, {in_unit}", *boxes),
+        Diagram("whole_area_run_time", f"error and {of} with triangle tests", f"whole_area_run_time_{unit}_ms",
+                f"{of} of box unit and triangle unit, {in_unit}", *triangles),
+        Diagram("memory", "error and memory traffic", "bytes_per_ray", "bytes of nodes and triangles for each ray",
+                *boxes)]
 
 
 def pareto(points: Sequence[tuple[float, float]]) -> list[int]:
@@ -40,39 +53,71 @@ def pareto(points: Sequence[tuple[float, float]]) -> list[int]:
     return front
 
 
-def error_picture(diagram: tuple[str, ...], scene: str, rows: Sequence[Row], names: Sequence[str],
-                  places: Mapping[str, int], fitted: Sequence[Row], width_mm: float | None) -> Picture | None:
-    """Marks of units by cost and error, with the Pareto front, whose units are named. Fitted units are stars."""
-    name, title, cost, cost_label, error, error_label = diagram
-    shown = [(row, unit) for row, unit in zip(rows, names) if row.get(cost)]
-    stars = [row for row in fitted if row.get(cost) and row.get(error)]
-    if not shown:  # a design without a tracer of its own has no measured time
+@dataclasses.dataclass
+class Mark:
+    """A unit of a diagram."""
+    row: Row
+    unit: str
+    x: float
+    y: float
+    fitted: bool = False
+
+
+def marks_of(diagram: Diagram, rows: Sequence[Row], names: Sequence[str], fitted: Sequence[Row]) -> list[Mark]:
+    """Units that have both figures. Fitted units are called so."""
+    units = [*zip(rows, names, [False] * len(rows)),
+             *((row, f"{row['design']} {row['bits'].removeprefix('n')} fitted", True) for row in fitted)]
+    return [Mark(row, unit, float(row[diagram.cost]), float(row[diagram.error]), is_fitted)
+            for row, unit, is_fitted in units if row.get(diagram.cost) and row.get(diagram.error)]
+
+
+def reach(mark: Mark, column: str, value: float) -> list[list[float]] | None:
+    """From the value to both ends of its interval, as a library of plots takes it."""
+    low, high = (mark.row.get(f"{column}_{end}") for end in ("low", "high"))
+    return [[max(0.0, value - float(low))], [max(0.0, float(high) - value)]] if low and high else None
+
+
+def error_picture(diagram: Diagram, scene: str, marks: Sequence[Mark], places: Mapping[str, int], yardstick: str,
+                  width_mm: float | None) -> Picture | None:
+    """Marks of units by cost and error with their 95 % intervals, and the Pareto front, whose units are named. Fitted
+    units are stars. The yardstick has a ring and its name."""
+    if not any(not mark.fitted for mark in marks):  # a design without a tracer of its own has no measured time
         return None
-    all_rows = [row for row, _ in shown] + stars
-    x, y = Log(float(r[cost]) for r in all_rows), Log(float(r[error]) for r in all_rows)
-    points = [(x.shown(float(row[cost])), y.shown(float(row[error]))) for row in all_rows]
-    names = [unit for _, unit in shown] + [f"{r['design']} {r['bits'].removeprefix('n')} fitted" for r in stars]
-    picture = Picture(name, f"{scene}: {title}", width_mm)
-    picture.labels(cost_label, error_label)
-    x.apply(picture.ax, "x")
-    y.apply(picture.ax, "y")
-    front = pareto(points)
-    picture.ax.step(*zip(*(points[i] for i in front)), where="post", color=GREY, ls="--", zorder=1)
-    designs = list(dict.fromkeys(row["design"] for row, _ in shown))
-    for design in designs:
-        of = [point for point, row in zip(points, all_rows[:len(shown)]) if row["design"] == design]
-        picture.ax.plot(*zip(*of), ls="none", markeredgecolor="white", markeredgewidth=0.4, **style(places[design]))
+    end = beyond([mark.x for mark in marks])
+    picture = Picture(diagram.name, f"{scene}: {diagram.title}", width_mm, broken=end is not None)
+    picture.labels(diagram.cost_label, diagram.error_label)
+    log_axis(picture.ax, "y", [mark.y for mark in marks])
+    log_axis(picture.ax, "x", [mark.x for mark in marks if end is None or mark.x <= end])
+    if picture.far is not None:
+        log_axis(picture.far, "x", [mark.x for mark in marks if mark.x > end], enough=1)
+    front = pareto([(mark.x, mark.y) for mark in marks])
+    designs = list(dict.fromkeys(mark.row["design"] for mark in marks if not mark.fitted))
+    star = {"ls": "none", "marker": "*", "ms": 8, "markeredgecolor": "black", "markeredgewidth": 0.5}
+    for ax in [picture.ax] if picture.far is None else [picture.ax, picture.far]:
+        ax.step(*zip(*((marks[i].x, marks[i].y) for i in front)), where="post", color=GREY, ls="--", zorder=1)
+        for mark in marks:
+            ax.errorbar(mark.x, mark.y, reach(mark, diagram.error, mark.y), reach(mark, diagram.cost, mark.x), fmt="none",
+                        ecolor=GREY, elinewidth=0.5, zorder=2)
+        for at, design in enumerate(designs):  # the first ones are larger, so that none is hidden below another
+            size = 6.5 - 3.5 * at / max(1, len(designs) - 1)
+            of = [(mark.x, mark.y) for mark in marks if mark.row["design"] == design and not mark.fitted]
+            ax.plot(*zip(*of), ls="none", markeredgecolor="white", markeredgewidth=0.4, ms=size, **style(places[design]))
+        for mark in marks:
+            if mark.fitted:
+                ax.plot([mark.x], [mark.y], color=COLOURS[places[mark.row["design"]] % len(COLOURS)], **star)
+            elif mark.row["design"] == yardstick:
+                ax.plot([mark.x], [mark.y], "o", ms=9, mfc="none", mec="black", mew=0.7)
     keys = [key(places[design], design) for design in designs]
-    if stars:
-        star = {"ls": "none", "marker": "*", "ms": 8, "markeredgecolor": "black", "markeredgewidth": 0.5}
-        for row, point in zip(stars, points[len(shown):]):
-            picture.ax.plot([point[0]], [point[1]], color=COLOURS[places[row["design"]] % len(COLOURS)], **star)
+    if any(mark.fitted for mark in marks):
         keys.append(Line2D([], [], color="white", label="fitted unit", **star))
     keys.append(Line2D([], [], color=GREY, ls="--", label="Pareto front"))
-    picture.unnamed = picture.label_above([(names[i], *points[i], x.share(points[i][0])) for i in front])
-    picture.header = ["unit", "design", "bits", cost, error, "on_front"]
-    picture.values = [(unit, row["design"], row["bits"], row[cost], row[error], int(i in front))
-                      for i, (unit, row) in enumerate(zip(names, all_rows))]
+    named = set(front) | {i for i, mark in enumerate(marks) if mark.row["design"] == yardstick and not mark.fitted}
+    picture.label_above([(marks[i].unit, marks[i].x, marks[i].y) for i in sorted(named) if end is None or marks[i].x <= end])
+    ends = [f"{column}_{of}" for column in (diagram.cost, diagram.error) for of in ("low", "high")]
+    ends = [column for column in ends if any(mark.row.get(column) for mark in marks)]
+    picture.header = ["unit", "design", "bits", diagram.cost, diagram.error, *ends, "on_front"]
+    picture.values = [(mark.unit, mark.row["design"], mark.row["bits"], mark.row[diagram.cost], mark.row[diagram.error],
+                       *(mark.row.get(column, "") for column in ends), int(i in front)) for i, mark in enumerate(marks)]
     picture.finish(keys)
     return picture
 
@@ -84,16 +129,16 @@ def lines_picture(name: str, title: str, labels: tuple[str, str], lines: Mapping
     picture = Picture(name, title, width_mm)
     picture.labels(*labels)
     points = [point for line in lines.values() for point in line]
-    y = Log(p[1] for p in points)
     for line, of in lines.items():
-        shown = [(px, y.shown(py) if axis.startswith("log-y") or axis == "log" else py) for px, py in of]
-        picture.ax.plot(*zip(*shown), markeredgecolor="white", markeredgewidth=0.4, **style(styles[line]))
+        picture.ax.plot(*zip(*of), markeredgecolor="white", markeredgewidth=0.4, **style(styles[line]))
     if axis in ("log", "log-y"):
-        y.apply(picture.ax, "y")
+        log_axis(picture.ax, "y", [p[1] for p in points])
     else:
         picture.ax.set_ylim(0, 102 if axis.startswith("pct") else 1.1 * max(p[1] for p in points))
+        if not axis.startswith("pct"):
+            picture.ax.yaxis.set_major_formatter(plain)
     if axis == "log":
-        Log(p[0] for p in points).apply(picture.ax, "x")
+        log_axis(picture.ax, "x", [p[0] for p in points])
     elif axis == "pct-log2":
         at = sorted({int(p[0]) for p in points})
         picture.ax.set_xscale("log", base=2)

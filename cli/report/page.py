@@ -35,9 +35,8 @@ class Figure:
 
 
 @dataclasses.dataclass
-class Section:
-    """A section: a sentence of what the reader should see, then this, then the commands."""
-    name: str
+class Part:
+    """A part of a section: a sentence of what the reader should see, then this."""
     title: str
     lead: str
     text: list[str] = dataclasses.field(default_factory=list)
@@ -46,13 +45,28 @@ class Section:
     images: list[Image] = dataclasses.field(default_factory=list)
     tables: list[Table] = dataclasses.field(default_factory=list)
     hidden: list[tuple[str, list[Figure]]] = dataclasses.field(default_factory=list)
+
+
+@dataclasses.dataclass
+class Section:
+    """A section: a question and its answer, what the answer rests on, and the commands that make all of it again."""
+    name: str
+    title: str
+    lead: str
+    parts: list[Part] = dataclasses.field(default_factory=list)
     commands: list[str] = dataclasses.field(default_factory=list)
+
+    def part(self, title: str, lead: str) -> Part:
+        """One more."""
+        self.parts.append(Part(title, lead))
+        return self.parts[-1]
 
 
 @dataclasses.dataclass
 class Page:
     """All of it."""
     title: str
+    facts: Sequence[tuple[str, str]]
     sections: Sequence[Section]
     without: Sequence[str]
 

@@ -22,7 +22,7 @@ from matplotlib.lines import Line2D  # noqa: E402
 PAGE_MM = 96.0  # a telephone shows this width as it is, a desktop three such pictures side by side
 LETTERS_PT = 8.0
 PT_PER_MM = 72 / 25.4
-SLOT_PT = 9.5  # between two labels above a plot
+SLOT_PT = 10.5  # between two labels above a plot
 # Okabe's and Ito's colours, then darker ones: the colour-blind tell them apart, and each has a shape of its own too.
 COLOURS = ("#0072B2", "#D55E00", "#000000", "#E69F00", "#009E73", "#CC79A7",
            "#56B4E9", "#806000", "#7A1F5C", "#666666", "#004C77", "#8F3F00")
@@ -60,65 +60,81 @@ def even_slots(wanted: Sequence[float], room: float) -> list[float]:
     return places
 
 
-class Log:
-    """A logarithmic axis that ends where the values do. Values that are not above zero lie at its end, "≤ 0"."""
+def plain(value: float, _place: int = 0) -> str:
+    """A number of an axis, never with an exponent: 1,000 and 0.002."""
+    if abs(value) >= 1e6:
+        return f"{value / 1e6:g} M"
+    return f"{value:,.0f}" if abs(value) >= 1e3 else f"{value:.10f}".rstrip("0").rstrip(".")
 
-    def __init__(self, values: Iterable[float]) -> None:
-        values = list(values)
-        positive = [v for v in values if v > 0] or [1.0]
-        self.floor: float | None = None
-        low, high = min(positive), max(positive)
-        if any(v <= 0 for v in values):
-            self.floor = low = 10 ** (math.floor(math.log10(low)) - 0.5)
-        margin = max((high / low) ** 0.06, 1.08)
-        self.low, self.high = low / margin, high * margin
 
-    def shown(self, value: float) -> float:
-        """Where the value is drawn."""
-        return value if value > 0 else self.floor or self.low
+def log_axis(ax: Axes, which: str, values: Sequence[float], enough: int = 3) -> None:
+    """Makes the x or the y axis logarithmic. Where a value is not above zero, it is linear around zero. It has so many
+    ticks or more, where their numbers have room."""
+    positive = [v for v in values if v > 0] or [1.0]
+    low, high = min(positive), max(positive)
+    axis = getattr(ax, f"{which}axis")
+    scale, limits = getattr(ax, f"set_{which}scale"), getattr(ax, f"set_{which}lim")
+    least = min(values, default=low)
+    if least > 0:
+        scale("log")
+        margin = max((high / low) ** 0.06, 1.04)
+        limits(low / margin, high * margin)
+    else:
+        linear = 10.0 ** math.floor(math.log10(low))
+        scale("symlog", linthresh=linear, linscale=0.4)
+        limits(min(1.2 * least, -0.6 * linear), high * max((high / linear) ** 0.06, 1.5))
+    shown = axis.get_view_interval()
+    at: list[float] = []
+    for steps in ((1,), (1, 2, 5), (1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9)):
+        decades = range(math.floor(math.log10(low)) - 1, math.ceil(math.log10(high)) + 1)
+        at = [s * 10.0**d for d in decades for s in steps if max(shown[0], low / 3) <= s * 10.0**d <= shown[1]]
+        if len(at) >= enough:
+            break
+    if not at:
+        at = [t for t in matplotlib.ticker.MaxNLocator(3).tick_values(low, high) if shown[0] <= t <= shown[1]]
+    at = apart(at, shown[0] if least > 0 else linear, shown[1], 0.12 if which == "x" else 0.08) if enough > 1 else at[:1]
+    axis.set_major_locator(matplotlib.ticker.FixedLocator(([0.0] if least <= 0 else []) + at))
+    axis.set_major_formatter(matplotlib.ticker.FuncFormatter(plain))
+    axis.set_minor_locator(matplotlib.ticker.NullLocator())
 
-    def share(self, value: float) -> float:
-        """The place from 0 to 1."""
-        return math.log(self.shown(value) / self.low) / math.log(self.high / self.low)
 
-    def ticks(self) -> list[float]:
-        """Few enough to be read: decades, or steps of 1, 2 and 5, or finer ones."""
-        from_value = self.low if self.floor is None else self.floor * 2.5
-        decades = range(math.floor(math.log10(from_value)), math.ceil(math.log10(self.high)) + 1)
-        found: list[float] = []
-        for steps in ((1,), (1, 2, 5), (1, 1.5, 2, 3, 4, 5, 6, 8)):
-            found = [s * 10.0**d for d in decades for s in steps if from_value <= s * 10.0**d <= self.high]
-            if len(found) >= 3:
-                break
-        if len(found) < 2:  # no round number lies there
-            found = [from_value * (self.high / from_value) ** share for share in (0.1, 0.5, 0.9)]
-        return found[::1 + (len(found) - 1) // 7]
+def apart(ticks: Sequence[float], low: float, high: float, room: float) -> list[float]:
+    """Those of the ticks that are so far apart, as shares of a logarithmic axis."""
+    kept: list[float] = []
+    for tick in ticks:
+        if not kept or math.log(tick / kept[-1]) >= room * math.log(high / low):
+            kept.append(tick)
+    return kept
 
-    def apply(self, ax: Axes, which: str) -> None:
-        """Makes it the x or the y axis."""
-        at = ([] if self.floor is None else [self.floor]) + self.ticks()
-        names = [] if self.floor is None else ["≤ 0"]
-        names += [f"{t:.4g}" if t < 1e5 else f"{t:.0e}" for t in self.ticks()]
-        getattr(ax, f"set_{which}scale")("log")
-        getattr(ax, f"set_{which}lim")(self.low, self.high)
-        axis = getattr(ax, f"{which}axis")
-        axis.set_major_locator(matplotlib.ticker.FixedLocator(at))
-        axis.set_major_formatter(matplotlib.ticker.FixedFormatter(names))
-        axis.set_minor_locator(matplotlib.ticker.NullLocator())
+
+def beyond(values: Sequence[float]) -> float | None:
+    """The end of the axis that most values need: a fifth of them at most is three times above all others. Nothing if
+    none is."""
+    ordered = sorted(v for v in values if v > 0)
+    for i in range(max(1, len(ordered) - len(ordered) // 5), len(ordered)):
+        if ordered[i] > 3 * ordered[i - 1]:
+            return ordered[i - 1]
+    return None
 
 
 class Picture:
-    """A figure that is written once its legend is known, as files of one name."""
+    """A figure of panels on a common scale, labels above the first, a legend below. With `broken` a second panel beside
+    the first is for the few values that lie far beyond."""
 
-    def __init__(self, name: str, title: str, width_mm: float | None, panels: int = 1) -> None:
+    def __init__(self, name: str, title: str, width_mm: float | None, panels: int = 1, broken: bool = False) -> None:
         self.name, self.title = name, title
         self.width = (width_mm or PAGE_MM) * PT_PER_MM
-        self.columns = min(panels, max(1, int(self.width // 190))) if panels > 1 else 1
+        self.columns = min(panels, max(1, int(self.width // 190)))
         self.rows = -(-panels // self.columns)
         self.figure = Figure(figsize=(self.width / 72, 3))
         FigureCanvasAgg(self.figure)
-        grid = self.figure.subplots(self.rows, self.columns, sharex=True, sharey=True, squeeze=False)
-        self.axes: list[Axes] = list(grid.flat)
+        self.far: Axes | None = None
+        if broken:
+            near, self.far = self.figure.subplots(1, 2, sharey=True, width_ratios=[4, 1])
+            self.axes = [near]
+            self.mark_the_break()
+        else:
+            self.axes = list(self.figure.subplots(self.rows, self.columns, sharex=True, sharey=True, squeeze=False).flat)
         for ax in self.axes[panels:]:
             ax.set_visible(False)
         for column in range(self.columns):  # the lowest panel of a column has the axis
@@ -126,36 +142,49 @@ class Picture:
             self.axes[last].tick_params(labelbottom=True)
         self.ax = self.axes[0]
         self.above = 0.0  # points that labels take
+        self.unnamed = 0  # labels without room
         self.header: list[str] = []
         self.values: list[Sequence[object]] = []
 
+    def mark_the_break(self) -> None:
+        """No frame between the panels, and a slanted line at each of their corners there."""
+        near, far = self.axes[0], self.far
+        near.spines.right.set_visible(False)
+        far.spines.left.set_visible(False)
+        far.tick_params(left=False, labelleft=False)
+        slanted = {"marker": [(-0.5, -1), (0.5, 1)], "ls": "none", "ms": 6, "color": "black", "mew": 0.6, "clip_on": False}
+        near.plot([1, 1], [0, 1], transform=near.transAxes, **slanted)
+        far.plot([0, 0], [0, 1], transform=far.transAxes, **slanted)
+
     def labels(self, x: str, y: str) -> None:
-        """Names the axes of the panels on the left and of the lowest ones."""
+        """Names the axes: those of the panels on the left and of the lowest ones."""
         panels = [ax for ax in self.axes if ax.get_visible()]
-        across = wrapped(x, (self.width / self.columns - 40) / 4.3)
-        up = wrapped(y, self.height_of_axes() / 4.3)
+        across = "\n".join(wrapped(x, (self.width / self.columns - 40) / 4.3))
+        up = "\n".join(wrapped(y, self.height_of_axes() / 4.3))
         for i, ax in enumerate(panels):
             if i + self.columns >= len(panels):
-                ax.set_xlabel("\n".join(across))
+                ax.set_xlabel(across)
             if i % self.columns == 0:
-                ax.set_ylabel("\n".join(up))
+                ax.set_ylabel(up)
 
     def height_of_axes(self) -> float:
         """Narrow pictures are higher than wide ones, for their width."""
         return 50 + 0.42 * self.width / self.columns
 
-    def label_above(self, marks: Sequence[tuple[str, float, float, float]]) -> int:
-        """Labels in a row above the plot, a line from each to its mark: (text, x, y, share of the width). None lies on
-        another. Returns how many have no room."""
-        most = max(1, int((self.width - 60) / SLOT_PT))
-        marks = sorted(marks, key=lambda mark: mark[3])
-        kept = marks if len(marks) <= most else [marks[i * len(marks) // most] for i in range(most)]
-        for (text, x, y, _), slot in zip(kept, even_slots([mark[3] for mark in kept], SLOT_PT / (self.width - 60))):
+    def label_above(self, marks: Sequence[tuple[str, float, float]]) -> None:
+        """Labels in a row above the plot, a line from each to its mark: (text, x, y). None lies on another."""
+        to_share = self.ax.transScale + self.ax.transLimits
+        placed = sorted(((text, x, y, float(to_share.transform((x, y))[0])) for text, x, y in marks),
+                        key=lambda mark: mark[3])
+        room = (self.width - 60) * (1 if self.far is None else 0.74)
+        most = max(1, int(room / SLOT_PT))
+        kept = placed if len(placed) <= most else [placed[i * len(placed) // most] for i in range(most)]
+        for (text, x, y, _), slot in zip(kept, even_slots([mark[3] for mark in kept], SLOT_PT / room)):
             self.ax.annotate(text, (x, y), (slot, 1.04), textcoords="axes fraction", rotation=90, va="bottom",
                              ha="center", arrowprops={"arrowstyle": "-", "lw": 0.4, "color": GREY, "shrinkA": 1,
                                                       "shrinkB": 2})
         self.above = 4.6 * max((len(mark[0]) for mark in kept), default=0) + 8
-        return len(marks) - len(kept)
+        self.unnamed = len(placed) - len(kept)
 
     def finish(self, keys: Sequence[Line2D]) -> None:
         """Lays the legend below the plot, and everything at its place."""

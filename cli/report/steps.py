@@ -8,11 +8,12 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shlex
 import signal
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from plots import csv_text, write_whole
 from tables import Row, parse_csv
@@ -165,21 +166,50 @@ class Steps:
         self.record(name, commands, files, self.wrong)
         self.wrong = self.wrong or before
 
-    def table(self, name: str, commands: Sequence[Words], about: Sequence[Row] = (), may_fail: bool = False,
-              more: Sequence[str] = (), quiet: bool = False) -> list[Row]:
-        """A step whose commands print rows as CSV: all of them, with `about` of their command before its cells. The
-        commands may write files, `more`, too."""
+    def printed_by(self, name: str, commands: Sequence[Words], form: str, write: Callable[[list[str]], str],
+                   may_fail: bool = False, more: Sequence[str] = (), quiet: bool = False) -> str:
+        """A step whose commands print rows in this form: the file that `write` makes of what they print. The commands
+        may write files, `more`, too."""
         file = self.folder / name
         if not self.made(name, commands, [name, *more]):
             before, self.wrong = self.wrong, False
-            rows: list[Row] = []
-            printed_rows = self.run_all([[*words, "--format", "csv"] for words in commands], may_fail, quiet)
-            for i, text in enumerate(printed_rows):
-                of = dict(about[i]) if about else {}
-                rows += [{**of, **row} for row in parse_csv(text)]
-            header = list(dict.fromkeys(column for row in rows for column in row))
-            write_whole(file, csv_text(header, [[row.get(c, "") for c in header] for row in rows]).encode())
+            text = write(self.run_all([[*words, "--format", form] for words in commands], may_fail, quiet))
+            write_whole(file, text.encode())
             self.record(name, commands, [name, *more], self.wrong)
             self.wrong = self.wrong or before
-        self.commands[name] = [f"{line} --format csv" for line in self.commands[name]]
-        return parse_csv(file.read_text(encoding="utf-8"))
+        self.commands[name] = [f"{line} --format {form}" for line in self.commands[name]]
+        return file.read_text(encoding="utf-8")
+
+    def table(self, name: str, commands: Sequence[Words], about: Sequence[Row] = (), may_fail: bool = False,
+              more: Sequence[str] = ()) -> list[Row]:
+        """All rows of commands that print CSV, with `about` of their command before its cells."""
+        def joined(texts: list[str]) -> str:
+            return rows_text([{**(about[i] if about else {}), **row} for i, text in enumerate(texts)
+                              for row in parse_csv(text)])
+
+        return parse_csv(self.printed_by(name, commands, "csv", joined, may_fail, more))
+
+    def records(self, name: str, commands: Sequence[Words], may_fail: bool = False, quiet: bool = False) -> list:
+        """What each of the commands prints as JSON."""
+        def joined(texts: list[str]) -> str:
+            return json.dumps([json.loads(text) for text in texts], indent=1, ensure_ascii=False) + "\n"
+
+        return json.loads(self.printed_by(name, commands, "json", joined, may_fail, quiet=quiet))
+
+    def derived(self, name: str, records: Sequence[Mapping[str, object]]) -> list[Row]:
+        """Rows of records as a table of the report. Lists and records inside them stay out. A format of two numbers
+        gets the n that it has in all CSV, lest it be read as a date."""
+        def cell(value: object) -> str:
+            text = "" if value is None else str(value).lower() if isinstance(value, bool) else str(value)
+            return f"n{text}" if re.fullmatch(r"\d+/\d+", text) else text
+
+        rows = [{k: cell(v) for k, v in of.items() if not isinstance(v, (list, dict))} for of in records]
+        text = rows_text(rows)
+        write_whole(self.folder / name, text.encode())
+        return parse_csv(text)
+
+
+def rows_text(rows: Sequence[Row]) -> str:
+    """As CSV, with the columns of all rows."""
+    header = list(dict.fromkeys(column for row in rows for column in row))
+    return csv_text(header, [[row.get(c, "") for c in header] for row in rows])

@@ -7,7 +7,7 @@ import pathlib
 import sys
 from collections.abc import Callable, Mapping, Sequence
 
-from plots import Log, Picture, key, style
+from plots import Axes, Picture, key, log_axis, plain, style
 
 LEAST = 0.01  # percent; less is drawn there
 Row = Mapping[str, str]
@@ -25,52 +25,70 @@ def extra_pct(rows: Sequence[Row]) -> float:
 
 
 def draw(name: str, title: str, label: str, rows: Sequence[Row], percent: Callable[[Sequence[Row]], float],
-         width_mm: float | None) -> Picture:
-    """One picture of these rows."""
+         width_mm: float | None, apart: bool = False) -> list[Picture]:
+    """A picture of these rows with a panel for each design, or with `apart` a picture for each, on common scales."""
     groups: dict[tuple[str, str, str], list[Row]] = {}
     for row in rows:
         groups.setdefault((row["design"], row["bits"].removeprefix("n"), row["log2_ratio"]), []).append(row)
     designs = list(dict.fromkeys(design for design, _, _ in groups))
-    formats = list(dict.fromkeys(bits for _, bits, _ in groups))
     values = {at: percent(of) for at, of in groups.items()}
-    picture = Picture(name, title, width_mm, len(designs))
-    picture.header = ["design", "bits", "log2_ratio", "percent"]
-    picture.values = [(d, f"n{b}" if "/" in b and b[0].isdigit() else b, r, f"{v:.6g}")
-                      for (d, b, r), v in values.items()]
-    last = max(int(r) for _, _, r in groups if r != "inf")
+    if not apart:
+        picture = Picture(name, title, width_mm, len(designs))
+        for design, ax in zip(designs, picture.axes):
+            ax.set_title(design, pad=3)
+        made = {design: (picture, ax) for design, ax in zip(designs, picture.axes)}
+    else:
+        made = {}
+        for design in designs:
+            picture = Picture(f"{name}_{design}", f"{title}: {design}", width_mm)
+            made[design] = (picture, picture.ax)
+    of_picture: dict[int, dict[str, int]] = {}  # the formats of each, and their places
+    for design, (picture, ax) in made.items():
+        formats = of_picture.setdefault(id(picture), {})
+        for of, bits, _ in groups:
+            if of == design:
+                formats.setdefault(bits, len(formats))
+        panel(picture, ax, {(b, r): v for (d, b, r), v in values.items() if d == design}, formats, list(values.values()))
+    pictures = list(dict.fromkeys(picture for picture, _ in made.values()))
+    for picture in pictures:
+        picture.labels("ratio of direction components", label + ", %")
+        picture.finish([key(place, bits, "-") for bits, place in of_picture[id(picture)].items()])
+        picture.header = ["design", "bits", "log2_ratio", "percent"]
+        picture.values = [(d, f"n{b}" if "/" in b and b[0].isdigit() else b, r, f"{v:.6g}")
+                          for (d, b, r), v in values.items() if made[d][0] is picture]
+    return pictures
+
+
+def panel(picture: Picture, ax: Axes, of: Mapping[tuple[str, str], float], places: Mapping[str, int],
+          scale: Sequence[float]) -> None:
+    """The lines of a design: percent by format and ratio. `scale` has the values of all designs."""
+    last = max(int(r) for _, r in of if r != "inf")
     zero = last + 10
-    for design, ax in zip(designs, picture.axes):
-        ax.set_title(design, pad=3)
-        for place, bits in enumerate(formats):
-            line = [(int(r), max(values[design, bits, r], LEAST)) for d, b, r in groups
-                    if (d, b) == (design, bits) and r != "inf"]
-            if not line:
-                continue
-            ax.plot(*zip(*sorted(line)), lw=0.9, ms=2.6, markeredgewidth=0.3, **style(place))
-            if (design, bits, "inf") in values:  # no power of two, so it stands apart
-                ax.plot([zero], [max(values[design, bits, "inf"], LEAST)], ls="none", ms=4, **style(place))
-        axis = Log([LEAST, 10 * LEAST, *(max(value, LEAST) for value in values.values())])
-        axis.apply(ax, "y")
-        at = [t for t in axis.ticks() if t >= LEAST]
-        ax.set_yticks(at, [("≤ " if t == LEAST else "") + f"{t:g}" for t in at])
-        ax.set_xlim(-3, zero + 5)
-        step = 10 if 10 * (picture.width / picture.columns - 40) / (zero + 8) > 20 else 20
-        ratios = list(range(0, last + 1, step))
-        ax.set_xticks([*ratios, zero], [f"$2^{{{r}}}$" for r in ratios] + ["zero"])
-    picture.labels("ratio of direction components", label + ", %")
-    picture.finish([key(place, bits, "-") for place, bits in enumerate(formats)])
-    return picture
+    for bits, place in places.items():
+        line = [(int(r), max(v, LEAST)) for (b, r), v in of.items() if b == bits and r != "inf"]
+        if not line:
+            continue
+        ax.plot(*zip(*sorted(line)), lw=0.9, ms=2.6, markeredgewidth=0.3, **style(place))
+        if (bits, "inf") in of:  # no power of two, so it stands apart
+            ax.plot([zero], [max(of[bits, "inf"], LEAST)], ls="none", ms=4, **style(place))
+    log_axis(ax, "y", [LEAST, 10 * LEAST, *(max(value, LEAST) for value in scale)])
+    at = [t for t in ax.get_yticks() if t >= LEAST]
+    ax.set_yticks(at, [("≤ " if t == LEAST else "") + plain(t) for t in at])
+    ax.set_xlim(-3, zero + 5)
+    step = 10 if 10 * (picture.width / picture.columns - 40) / (zero + 8) > 20 else 20
+    ratios = list(range(0, last + 1, step))
+    ax.set_xticks([*ratios, zero], [f"$2^{{{r}}}$" for r in ratios] + ["zero"])
 
 
-def pictures(rows: Sequence[Row], width_mm: float | None) -> list[Picture]:
+def pictures(rows: Sequence[Row], width_mm: float | None, apart: bool = False) -> list[Picture]:
     """Of drawn boxes, and of a scene if one was traversed."""
     boxes = [r for r in rows if not r["rays"]]
     scene = [r for r in rows if r["rays"]]
-    drawn = [draw("stiffness", "False hits on stiff rays", "false hits of the boxes that rays miss", boxes,
-                  false_hit_pct, width_mm)]
+    drawn = draw("stiffness", "False hits on stiff rays", "false hits of the boxes that rays miss", boxes,
+                 false_hit_pct, width_mm, apart)
     if scene:
-        drawn.append(draw("stiffness_scene", f"Box tests of stiff rays on {scene[0]['boxes']}",
-                          "box tests above conservative float slabs", scene, extra_pct, width_mm))
+        drawn += draw("stiffness_scene", f"Box tests of stiff rays on {scene[0]['boxes']}",
+                      "box tests above conservative float slabs", scene, extra_pct, width_mm, apart)
     return drawn
 
 

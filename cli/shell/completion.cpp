@@ -42,20 +42,20 @@ std::string bash_completion(const CLI::App& program) {
   std::string words;
   for (const Completion& one : completions_of(program)) {
     for_each_value(one, [&](const std::string& pattern, const CLI::Option& option) {
-      values += fmt::format("    {})\n      COMPREPLY=($(compgen -W '{}' -- \"$now\"))\n      return ;;\n",
-                            pattern, joined(choices_of(option)));
+      values += fmt::format("    {})\n{}      COMPREPLY=($(compgen {} '{}' -- \"$now\"))\n      return ;;\n",
+                            pattern, takes_file(option) ? "      compopt -o filenames\n" : "",
+                            takes_file(option) ? "-fW" : "-W", joined(choices_of(option)));
     });
     std::vector<std::string> all;
     for (const CLI::App* const command : one.commands) all.push_back(command->get_name());
     for (const CLI::Option* const option : one.options)
       for (const std::string& name : names_of(*option)) all.push_back(name);
-    words += fmt::format("    '{}') words='{}{}' ;;\n", one.command, joined(all),
-                         one.takes_design ? " '$designs'" : "");
+    all.insert(all.end(), one.units.begin(), one.units.end());
+    words += fmt::format("    '{}') words='{}' ;;\n", one.command, joined(all));
   }
   return fmt::format(R"(# bash completion of {}, made from its own options
 _hitpipe() {{
   local now=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} command= words= word
-  local designs='{}'
   # --format=csv comes as three words
   if [[ $now = = ]]; then now=; elif [[ $before = = ]]; then before=${{COMP_WORDS[COMP_CWORD - 2]}}; fi
   for word in "${{COMP_WORDS[@]:1:COMP_CWORD - 1}}"; do
@@ -71,7 +71,7 @@ _hitpipe() {{
 }}
 complete -o default -F _hitpipe hitpipe
 )",
-                     program_version(), joined(design_names()), command_pattern(program), values, words);
+                     program_version(), command_pattern(program), values, words);
 }
 
 std::string zsh_completion(const CLI::App& program) {
@@ -81,7 +81,9 @@ std::string zsh_completion(const CLI::App& program) {
     for_each_value(one, [&](const std::string& pattern, const CLI::Option& option) {
       const std::vector<std::string> choices = choices_of(option);
       values += fmt::format("  ({})\n    {}; return ;;\n", pattern,
-                            choices.empty() ? "_files" : fmt::format("compadd -- {}", joined(choices)));
+                            choices.empty() ? "_files"
+                                            : fmt::format("compadd -- {}{}", joined(choices),
+                                                          takes_file(option) ? "; _files" : ""));
     });
     words += fmt::format("  ('{}')\n    options=(\n", one.command);
     for (const CLI::Option* const option : one.options)
@@ -91,12 +93,13 @@ std::string zsh_completion(const CLI::App& program) {
     for (const CLI::App* const command : one.commands)
       words += fmt::format("      {}\n",
                            quoted(fmt::format("{}:{}", command->get_name(), command->get_description())));
-    words += fmt::format("    )\n{}    ;;\n", one.takes_design ? "    compadd -- $designs\n" : "");
+    words += fmt::format("    )\n{}    ;;\n",
+                         one.units.empty() ? "" : fmt::format("    compadd -- {}\n", joined(one.units)));
   }
   return fmt::format(R"(#compdef hitpipe
 # zsh completion of {}, made from its own options
 local command= word
-local -a options commands designs=({})
+local -a options commands
 for word in ${{words[2,CURRENT-1]}}; do
   case "$command $word" in
     ({}) command=${{command:+$command }}$word ;;
@@ -109,7 +112,7 @@ case $command in
 (( $#commands )) && _describe command commands
 if [[ ${{words[CURRENT]}} = -* ]]; then _describe -o option options; else _files; fi
 )",
-                     program_version(), joined(design_names()), command_pattern(program), values, words);
+                     program_version(), command_pattern(program), values, words);
 }
 
 }  // namespace hitpipe::cli

@@ -125,8 +125,8 @@ Row short_row(const std::string& unit, const sim::CategoryResult& r) {
           {"category", r.category},
           {"misses", r.false_misses},
           {"95 % of met", interval_text(r.false_miss_share)},
-          {"hits %", 100 * r.false_hit_share.ratio()},
-          {"95 %", interval_text(r.false_hit_share)}};
+          {"false hits, %",
+           fmt::format("{:5.2f} ({})", 100 * r.false_hit_share.ratio(), interval_text(r.false_hit_share))}};
 }
 
 }  // namespace
@@ -227,13 +227,13 @@ int report_findings(const UnitsFindings& findings, OutputFormat format) {
                                                   : row_of(unit, format, results[i], nullptr));
     }
   }
-  fmt::print("{}", table_text(rows, format));
   if (format == OutputFormat::text)
     fmt::print(
         "seed {}, {} tests of each unit\n"
-        "misses  false misses; the 95 % interval of their share of the boxes met, in %\n"
-        "hits %  false hits among the boxes missed; the 95 % interval of that share\n",
+        "misses         false misses; then the 95 % interval of their share of boxes met\n"
+        "false hits, %  of the boxes missed, with the 95 % interval of that share\n",
         findings.units.front().seed, sums.front().tests);
+  fmt::print("{}", table_text(rows, format));
   int exit_code = 0;
   for (std::size_t i = 0; i < sums.size(); ++i)
     exit_code = std::max(exit_code, verdict(findings.units[i], sums[i]));

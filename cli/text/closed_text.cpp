@@ -1,5 +1,9 @@
 #include "cli/text/closed_text.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include <fmt/format.h>
 
 namespace hitpipe::cli {
@@ -20,7 +24,7 @@ Row corner_row(const glm::dvec3& p) {
 
 }  // namespace
 
-Row closed_row(const ref::Scene& scene, OutputFormat format) {
+Row closed_row(const ref::Scene& scene, std::span<const glm::dvec3> vertices, OutputFormat format) {
   const ref::Closedness found = ref::closedness(scene.mesh);
   Row row{{"closed", truth(found.closed(), format)},
           {"oriented", truth(found.oriented(), format)},
@@ -32,7 +36,10 @@ Row closed_row(const ref::Scene& scene, OutputFormat format) {
           {"t_junctions", found.t_junctions},
           {"first_odd_edges", Row::array()},
           {"first_t_junctions", Row::array()}};
-  const auto own = [&](const glm::vec3& p) { return scene.to_cube.to_own(glm::dvec3(p)); };
+  const std::vector<glm::vec3>& placed = scene.mesh.vertices;
+  const auto own = [&](const glm::vec3& p) {
+    return vertices[static_cast<std::size_t>(std::find(placed.begin(), placed.end(), p) - placed.begin())];
+  };
   const bool json = format == OutputFormat::json;
   for (const ref::OddEdge& edge : found.first_odd) {
     Row& all = row["first_odd_edges"];

@@ -42,6 +42,12 @@ int usual_rays_in_flight(Rows rows) {
   return usual;
 }
 
+/// "0.37 % (95 %: 0.27 to 0.51)".
+std::string extra_text(double pct, const std::optional<double>& low, const std::optional<double>& high) {
+  return fmt::format("{:.3g} %", pct) +
+         (low && high ? fmt::format(" (95 %: {:.2g} to {:.2g})", *low, *high) : "");
+}
+
 /// "mm²", or "LUT" on a chip.
 std::string area_unit(const sim::SweepRow& row) {
   return row.on_chip() ? "LUT" : "mm²";
@@ -52,8 +58,11 @@ std::string area_unit(const sim::SweepRow& row) {
 std::string cost_text(const sim::SweepRow& row) {
   const std::optional<double> energy = row.energy_nj_per_ray();
   return fmt::format(
-      "{:.4g} {} ms, of box tests alone {:.4g}; {:.4g} % extra triangle tests; {:.4g} bytes{} a ray{}",
-      row.whole_area_run_time(), area_unit(row), row.area_run_time(), row.extra_triangle_tests_pct(),
+      "{:.4g} {} ms, of box tests alone {:.4g}; extra box tests {}; extra triangle tests {}; {:.4g} bytes{} "
+      "a ray{}",
+      row.whole_area_run_time(), area_unit(row), row.area_run_time(),
+      extra_text(row.extra_box_tests_pct(), row.extra_box_pct_low, row.extra_box_pct_high),
+      extra_text(row.extra_triangle_tests_pct(), row.extra_triangle_pct_low, row.extra_triangle_pct_high),
       row.bytes_per_ray(), energy ? fmt::format(" and {:.3g} nJ", *energy) : "",
       row.on_chip() ? fmt::format(", {} multiplier blocks", row.multiplier_blocks) : "");
 }

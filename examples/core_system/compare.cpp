@@ -11,7 +11,7 @@
 
 uint32_t place_image(const char* file_name);  // the system puts the file into memory, and says where
 #if CORE_HAS_RINGS
-#error "this program hands the core its rays one by one: configure without --dma"
+#error "this program hands the core its rays one by one: configure without --rings"
 #endif
 
 constexpr int side = 60, rays_per_side = 40;

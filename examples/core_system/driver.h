@@ -47,7 +47,7 @@ static inline const char* core_start(uint64_t address, const struct core_image* 
   if (core_read(CORE_REG_IDENTITY) != CORE_IDENTITY) return "no core answers at that address";
   if (core_read(CORE_REG_VERSION) != CORE_VERSION) return "the core has another version than its header";
   if (core_read(CORE_REG_FORMAT) != CORE_FORMAT || core_read(CORE_REG_SHAPE) != CORE_SHAPE ||
-      core_read(CORE_REG_PORTS) != CORE_PORTS)
+      core_read(CORE_REG_PORTS) != CORE_PORTS || core_read(CORE_REG_LIMITS) != CORE_LIMITS)
     return "the core was made with other options than its header";
   if (!(core_read(CORE_REG_STATUS) & CORE_IDLE)) return "the core has rays";
   if (address % CORE_LINE_BYTES != 0) return "the image does not begin at a multiple of 64";
@@ -74,11 +74,13 @@ static inline bool core_stop(void) {
 #if CORE_HAS_RINGS
 
 /* Rays in memory, and their answers: two rings. The first two are addresses. The others count rays and answers of all;
-   counts go round at 2^32. */
+   counts go round at 2^32. `wrong` says why no further answer comes: then take those that are there, call core_stop(),
+   start again, and send again the rays without an answer. NULL: nothing is wrong. */
 struct core_rings {
   uint64_t rays, answers;
   uint32_t places; /* of each ring */
   uint32_t sent, offered, known, taken;
+  const char* wrong;
 };
 
 static inline bool core_has_place(uint64_t address, uint64_t bytes) {
@@ -107,6 +109,7 @@ static inline const char* core_start_rings(struct core_rings* rings, uint64_t ra
   rings->places = places;
   rings->sent = rings->offered = core_read(CORE_REG_OFFERED);
   rings->known = rings->taken = core_read(CORE_REG_ANSWERED);
+  rings->wrong = NULL;
   return NULL;
 }
 
@@ -129,9 +132,15 @@ static inline void core_offer(struct core_rings* rings) {
   core_write(CORE_REG_OFFERED, rings->offered & 0xffff);
 }
 
-/* Answers that are in memory and were not taken. */
+/* Answers that are in memory and were not taken. If none has come since the last call, it looks whether more will. */
 static inline uint32_t core_answers(struct core_rings* rings) {
-  rings->known += (core_read(CORE_REG_ANSWERED) - rings->known) & 0xffff;
+  const uint32_t more = (core_read(CORE_REG_ANSWERED) - rings->known) & 0xffff;
+  rings->known += more;
+  if (more == 0) {
+    const uint32_t status = core_read(CORE_REG_STATUS);
+    if (status & CORE_OVERFULL) rings->wrong = "more rays were offered than a ring has places";
+    if (status & CORE_UNWRITTEN) rings->wrong = "an answer could not be written to memory";
+  }
   return rings->known - rings->taken;
 }
 

@@ -81,7 +81,8 @@ int main(int count, char** arguments) {
   refused = core_start(place, &image);
   if (refused) return std::fprintf(stderr, "%s: %s\n", arguments[1], refused), 1;
   core_offer(&rings);
-  for (int polls = 0; core_answers(&rings) < pixels && polls < 1'000'000;) ++polls;
+  for (int polls = 0; core_answers(&rings) < pixels && !rings.wrong && polls < 1'000'000;) ++polls;
+  if (rings.wrong) std::fprintf(stderr, "answer %u: %s\n", rings.known, rings.wrong);
   const uint64_t cycles = core_count(CORE_COUNT_CYCLES);
   uint32_t pixel;
   for (core_hit hit; core_take(&rings, &pixel, &hit);) take(pixel, hit);

@@ -1,4 +1,4 @@
-// How rays come to a core with --dma and answers leave: by a port to memory, which takes one write at a time.
+// How rays come to a core with --rings and answers leave: by a port to memory, which takes one write at a time.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,10 @@ class RayPort {
     if (top.m_axi_ring_rvalid)
       std::memcpy(&top.m_axi_ring_rdata, &memory.at(reads_.front().address), CORE_RING_BEAT_BYTES);
     top.m_axi_ring_bvalid = written_;
+#if !CORE_HAS_ONE_ID
+    if (top.m_axi_ring_rvalid) top.m_axi_ring_rid = reads_.front().id;
+    top.m_axi_ring_bid = write_id_;
+#endif
   }
   void step(const Vcore_axi& top, std::vector<std::uint8_t>& memory, std::uint64_t cycle) {
     if (top.m_axi_ring_rvalid) {
@@ -26,6 +30,10 @@ class RayPort {
     if (top.m_axi_ring_arvalid)
       reads_.push_back({cycle + latency, top.m_axi_ring_araddr, top.m_axi_ring_arlen + 1U});
     if (top.m_axi_ring_awvalid) address_ = top.m_axi_ring_awaddr;
+#if !CORE_HAS_ONE_ID
+    if (top.m_axi_ring_arvalid) reads_.back().id = top.m_axi_ring_arid;
+    if (top.m_axi_ring_awvalid) write_id_ = top.m_axi_ring_awid;
+#endif
     written_ = top.m_axi_ring_wvalid && top.m_axi_ring_wlast;
     if (!top.m_axi_ring_wvalid) return;
     std::memcpy(&memory.at(address_), &top.m_axi_ring_wdata, CORE_RING_BEAT_BYTES);
@@ -37,8 +45,10 @@ class RayPort {
   struct Read {
     std::uint64_t due, address;
     std::uint32_t beats;  // that are to come
+    std::uint8_t id = 0;
   };
   std::deque<Read> reads_;
+  std::uint8_t write_id_ = 0;
   std::uint64_t address_ = 0;  // of the next beat that is written
   bool written_ = false;
 };

@@ -18,7 +18,7 @@ class HitpipeCore(LiteXModule):
     registers   AXI4-Lite, 32 bits: for soc.bus.add_slave()
     memory      AXI4, reads only, as wide as the core: for soc.bus.add_master() or a port of LiteDRAM
 
-    A core with --dma reads its rays from memory and writes the answers there. It has no FIFOs and no CSRs of its own:
+    A core with --rings reads its rays from memory and writes the answers there. It has no FIFOs and no CSRs of its own:
 
     rings       AXI4, another master, of 64 or 128 bits
     ev          an event: so many answers are in memory as the register says

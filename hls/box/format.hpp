@@ -6,7 +6,7 @@
 //   alias       another name of the default format
 //   single      true: the default format is the only one of this family, and is written by its alias
 //   type        the template that is the format with widths known when the code is compiled: "IntFormat";
-//               optional numbers have 0 as their default
+//               optional numbers have the struct's default there too
 #pragma once
 
 namespace hitpipe {
@@ -18,7 +18,7 @@ struct FormatField {
   const char* letter;
   int least, most;
   const char* most_in_words = nullptr;  ///< "2n-1": it depends on other numbers
-  bool optional = false;                ///< not written when it is 0
+  bool optional = false;                ///< not written when it is that of the struct's default
 };
 
 /// The formats of a pipeline with a compiled host function of their own, for speed. All others run with

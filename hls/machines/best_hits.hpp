@@ -13,22 +13,24 @@ namespace hitpipe::hls {
 
 /// The format "tTcCdDiI", for example t20c1d20i5, or "tTcCdDiIqQuU".
 struct BestBits {
-  int distance = 20;  ///< T: bits of a distance
-  int dropped = 1;    ///< C: low bits of it that a box distance has not
-  int box = 20;       ///< D: bits of a box distance, at least T - C
-  int ray = 5;        ///< I: bits of a ray's number
-  int questions = 0;  ///< Q: rays may want crossings
-  int number = 0;     ///< U: bits of a triangle's number, if not those of an image
+  int distance = 20;                  ///< T: bits of a distance
+  int dropped = 1;                    ///< C: low bits of it that a box distance has not
+  int box = 20;                       ///< D: bits of a box distance, at least T - C
+  int ray = 5;                        ///< I: bits of a ray's number
+  int questions = 0;                  ///< Q: rays may want crossings
+  int number = triangle_number_bits;  ///< U: bits of a triangle's number; not written: those of an image
 
   static constexpr FormatField fields[] = {{"t", "T", 4, 36},
                                            {"c", "C", 0, 11},
                                            {"d", "D", 4, 36, "36"},
                                            {"i", "I", 1, 8},
                                            {"q", "Q", 1, 1, nullptr, true},
-                                           {"u", "U", 4, 31, nullptr, true}};
+                                           {"u", "U", 4, triangle_number_bits, nullptr, true}};
   static constexpr const char* condition = "D at least T-C, and C less than T";
 
   constexpr int rays() const { return power_of_two(ray); }
+  /// Of the T of an answer. A sum of sides is within the count of crossings, of a triangle's number.
+  constexpr int answer_width() const { return questions == 0 ? distance : max(distance, number + 1); }
   constexpr bool valid() const { return dropped < distance && box >= distance - dropped; }
   friend constexpr bool operator==(const BestBits&, const BestBits&) = default;
 };
@@ -48,11 +50,12 @@ struct End : List<walk_ray, failed> {};
 
 // By ray. The best hits are there three times, since three read them.
 struct Best : List<best, best_number> {};
+struct Answered : List<answer_t, best_number> {};
 constexpr Block<"numbers", &BestBits::rays, number_bits> numbers;  // of the triangle that is tested
 constexpr Block<"kinds", &BestBits::rays, 1> kinds;                // 1: any hit
-constexpr BlockOf<"divided_bests", &BestBits::rays, Best> divided_bests;
+constexpr BlockOf<"divided_bests", &BestBits::rays, Answered> divided_bests;
 constexpr BlockOf<"leaf_bests", &BestBits::rays, Best> leaf_bests;
-constexpr BlockOf<"answer_bests", &BestBits::rays, Best> answer_bests;
+constexpr BlockOf<"answer_bests", &BestBits::rays, Answered> answer_bests;
 // Of rays that want crossings. What one has counted is in place of its best hit: the sum of sides as T, in two's
 // complement, and the crossings as the number. Its length, in leaf_bests, stays.
 constexpr DataIf<"hit_back_1", 1, has_questions> hit_back_1;
@@ -86,7 +89,7 @@ struct BestHits {
     out[start_ray] = now[held<begun>];
     out[start_cut] = cut_of(now[held<length>]);
     out[asked_number] = memory[numbers].word();
-    out[best] = compared[best];
+    out[best] = slice(compared[answer_t], number_in<distance_bits>(f) - 1_w, 0_w);
     out[best_number] = compared[best_number];
     if (has_questions(BestBits(f))) {
       out[asked_counts] = memory[questions].word()[counts];
@@ -103,7 +106,7 @@ struct BestHits {
     out[return_lost] = now[held<leaf_lost>];
     out[answers] = now[answers_1];
     out[answered] = now[held<walk_ray>];
-    out[answer_t] = answer[best];
+    out[answer_t] = answer[answer_t];
     out[answer_number] = answer[best_number];
     out[answer_failed] = now[held<failed>];
   }
@@ -121,13 +124,15 @@ struct BestHits {
     const auto word =
         as("best_written", select(new_one, cat(in[length], no_triangle), cat(now[held<t>], tested)));
     const bool has_counts = has_questions(BestBits(f));
-    const auto found = change_if(has_counts, word, [&](const auto& best_one) {
+    const auto found = change_if(has_counts, word, [&](const auto& pair) {
+      const auto number_width = width_of(in[number]);
+      const auto best_t = slice(pair, width_of(pair) - 1_w, number_width);
+      const auto best_one = cat(resize(best_t, answer_t.width(f)), slice(pair, number_width - 1_w, 0_w));
       const auto question = memory[questions].word();
       const auto so_far = memory[divided_bests].word();
       const Bit down = as("side_is_down", ~(now[hit_back_1] ^ Bit(question[turned])));
-      const auto t_bits = width_of(in[length]);
-      const auto side = cat(spread(down, t_bits - 1_w), D::lit(1, 1_w));
-      const auto tally = cat(plus(so_far[best], side), plus(so_far[best_number], D::lit(1, 1_w)));
+      const auto side = cat(spread(down, answer_t.width(f) - 1_w), D::lit(1, 1_w));
+      const auto tally = cat(plus(so_far[answer_t], side), plus(so_far[best_number], D::lit(1, 1_w)));
       const Bit counts_more = as("counts_more", ~new_one & Bit(question[counts]));
       return as("found", select(counts_more, tally, only(Bit(~(new_one & in[counts])), best_one)));
     });

@@ -22,6 +22,13 @@ inline constexpr auto distance_bits = [](const auto& format) {
   else
     return format.distance;
 };
+/// Of the T of an answer. A sum of sides may need more bits.
+inline constexpr auto answer_bits = [](const auto& format) {
+  if constexpr (requires { format.answer_width(); })
+    return format.answer_width();
+  else
+    return format.distance;
+};
 inline constexpr auto box_bits = [](const auto& format) {
   if constexpr (requires { format.box(); })
     return format.box();
@@ -31,17 +38,11 @@ inline constexpr auto box_bits = [](const auto& format) {
 inline constexpr auto address_bits = [](const auto& format) { return format.address; };
 // A core that is fitted to scenes may have fewer bits than an image for these.
 /// Of the number of triangles in a leaf; all ones is a record.
-inline constexpr auto leaf_bits = [](const auto& format) {
-  return format.leaf == 0 ? child_count_bits : format.leaf;
-};
+inline constexpr auto leaf_bits = [](const auto& format) { return format.leaf; };
 /// Of a triangle's number; all ones is no triangle.
-inline constexpr auto number_bits = [](const auto& format) {
-  return format.number == 0 ? triangle_number_bits : format.number;
-};
+inline constexpr auto number_bits = [](const auto& format) { return format.number; };
 /// Of the number of records that a walk may test.
-inline constexpr auto step_bits = [](const auto& format) {
-  return format.steps == 0 ? step_count_bits : format.steps;
-};
+inline constexpr auto step_bits = [](const auto& format) { return format.steps; };
 
 /// The core answers the questions count and next too (docs/integer_world.md, Exactly once).
 inline constexpr auto has_questions = [](const auto& format) {
@@ -333,7 +334,7 @@ struct Returns : List<returns, return_ray, return_cut, return_stops, return_lost
 // From best_hits to replies: a ray's answer.
 constexpr Data<"answers"> answers;
 constexpr Data<"answered", ray_bits> answered;
-constexpr Data<"answer_t", distance_bits> answer_t;
+constexpr Data<"answer_t", answer_bits> answer_t;            // of a count the sum of sides
 constexpr Data<"answer_number", number_bits> answer_number;  // all ones: no hit
 constexpr Data<"answer_failed", failure_bits> answer_failed;
 struct Answers : List<answers, answered, answer_t, answer_number, answer_failed> {};
@@ -343,7 +344,7 @@ template <Name Prefix>
 struct HitsOf {
   static constexpr Data<Prefix + Name("valid")> valid{};
   static constexpr Data<Prefix + Name("tag"), tag_bits> tag{};
-  static constexpr Data<Prefix + Name("t"), distance_bits> t{};
+  static constexpr Data<Prefix + Name("t"), answer_bits> t{};
   static constexpr Data<Prefix + Name("number"), triangle_number_bits> number{};  // all ones: no hit
   static constexpr Data<Prefix + Name("failed"), failure_bits> failed{};          // a Failure
   static constexpr Data<Prefix + Name("ready")> ready{};
@@ -384,15 +385,18 @@ constexpr Data<"answers_at", ring_base_bits> answers_at;  // that of the ring of
 constexpr Data<"ring_last", ring_count_bits>
     ring_last;  // places of each ring, less 1; they are 2^k, 4 or more
 constexpr Data<"rays_offered", ring_count_bits> rays_offered;  // in all
-constexpr Data<"lets_rings"> lets_rings;  // 0: no ray is read and no answer written any more
-struct RingSettings : List<rays_at, answers_at, ring_last, rays_offered, lets_rings> {};
+constexpr Data<"lets_fetches"> lets_fetches;                   // 0: no ray is read any more
+constexpr Data<"lets_rings"> lets_rings;                       // 0: and no answer is written
+struct RingSettings : List<rays_at, answers_at, ring_last, rays_offered, lets_fetches, lets_rings> {};
 // What it says of them.
 constexpr Data<"ray_begins"> ray_begins;                       // a ray has begun in the cycle before
 constexpr Data<"ring_answers", ring_count_bits> ring_answers;  // that are in memory, in all
 constexpr Data<"ring_busy"> ring_busy;    // rays have not begun, or answers are not in memory
 constexpr Data<"ring_quiet"> ring_quiet;  // nothing is being read or written
-constexpr Data<"ring_error"> ring_error;  // it had an error in the cycle before
-struct RingState : List<ray_begins, ring_answers, ring_busy, ring_quiet, ring_error> {};
+/// Above each other: a read has had an error in the cycle before; a write has had one; too many rays were offered.
+constexpr int ring_flaw_bits = 3;
+constexpr Data<"ring_flaws", ring_flaw_bits> ring_flaws;
+struct RingState : List<ray_begins, ring_answers, ring_busy, ring_quiet, ring_flaws> {};
 
 // What a cache has done in the cycle before.
 constexpr Data<"cache_hit"> cache_hit;    // a ray has come to a line that was there

@@ -10,13 +10,15 @@ namespace hitpipe::hls {
 
 /// The format "tTiI", for example t20i5, or "tTiIqQuU".
 struct DoorBits {
-  int distance = 20;  ///< T: bits of a distance
-  int ray = 5;        ///< I: bits of a ray's number
-  int questions = 0;  ///< Q: rays may want crossings
-  int number = 0;     ///< U: bits of a triangle's number, if not those of an image
+  int distance = 20;                  ///< T: bits of a distance
+  int ray = 5;                        ///< I: bits of a ray's number
+  int questions = 0;                  ///< Q: rays may want crossings
+  int number = triangle_number_bits;  ///< U: bits of a triangle's number; not written: those of an image
 
-  static constexpr FormatField fields[] = {
-      {"t", "T", 4, 36}, {"i", "I", 1, 8}, {"q", "Q", 1, 1, nullptr, true}, {"u", "U", 4, 31, nullptr, true}};
+  static constexpr FormatField fields[] = {{"t", "T", 4, 36},
+                                           {"i", "I", 1, 8},
+                                           {"q", "Q", 1, 1, nullptr, true},
+                                           {"u", "U", 4, triangle_number_bits, nullptr, true}};
 
   constexpr int rays() const { return power_of_two(ray); }
   friend constexpr bool operator==(const DoorBits&, const DoorBits&) = default;

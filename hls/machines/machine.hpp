@@ -33,6 +33,8 @@ struct Field {
   bool is_signed = false;
   bool has_reset = false;  ///< of a register: a reset gives it the value; else it keeps what it holds
   std::int64_t reset = 0;
+  bool has_start =
+      false;  ///< of a register that no reset sets: simulators begin with 0, not with an unknown number
 };
 enum class MemoryKind {
   lookup,  ///< small: lookup tables of a chip, or registers

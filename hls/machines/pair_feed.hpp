@@ -20,7 +20,8 @@ struct PairFeedBits {
   int fraction = 0;   ///< F
   int address = 24;   ///< A: bits of a block's number
   int ray = 5;        ///< I: bits of a ray's number
-  int leaf = 0;       ///< E: bits of the number of triangles in a leaf, if not those of an image
+  int leaf =
+      child_count_bits;  ///< E: bits of the number of triangles in a leaf; not written: those of an image
 
   static constexpr FormatField fields[] = {
       {"", "n", WorldBits::min_coord, WorldBits::max_coord},
@@ -29,7 +30,7 @@ struct PairFeedBits {
       {"f", "F", MajorBits::min_fraction, MajorBits::max_fraction, nullptr, true},
       {"a", "A", 4, 32},
       {"i", "I", 1, 8},
-      {"e", "E", 2, 7, nullptr, true}};
+      {"e", "E", 2, child_count_bits, nullptr, true}};
   static constexpr const char* condition = "a format of int_major_pair";
 
   /// Of the unit. No port of it depends on the bits of a slope.

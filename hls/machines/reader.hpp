@@ -18,15 +18,17 @@ struct ReaderBits {
   int address = 24;   ///< A: bits of a block's number
   int ray = 5;        ///< I: bits of a ray's number
   int questions = 0;  ///< Q: rays may test a triangle again
-  int leaf = 0;       ///< E: bits of the number of triangles in a leaf, if not those of an image
+  int leaf =
+      child_count_bits;  ///< E: bits of the number of triangles in a leaf; not written: those of an image
 
-  static constexpr FormatField fields[] = {
-      {"a", "A", 4, 32}, {"i", "I", 1, 8}, {"q", "Q", 1, 1, nullptr, true}, {"e", "E", 2, 7, nullptr, true}};
+  static constexpr FormatField fields[] = {{"a", "A", 4, 32},
+                                           {"i", "I", 1, 8},
+                                           {"q", "Q", 1, 1, nullptr, true},
+                                           {"e", "E", 2, child_count_bits, nullptr, true}};
 
   constexpr int rays() const { return power_of_two(ray); }
   /// Of a word in `leaves`: outside, triangles to come, the block of the next.
-  constexpr int leaf_word() const { return 1 + count() + address; }
-  constexpr int count() const { return leaf == 0 ? child_count_bits : leaf; }
+  constexpr int leaf_word() const { return 1 + leaf + address; }
   friend constexpr bool operator==(const ReaderBits&, const ReaderBits&) = default;
 };
 

@@ -59,13 +59,14 @@ constexpr Name<A + B - 1> operator+(const Name<A>& a, const Name<B>& b) {
   return both;
 }
 
-template <Name N, auto W, bool Signed, bool HasReset, std::int64_t Reset, auto Exists = true>
+template <Name N, auto W, bool Signed, bool HasReset, std::int64_t Reset, auto Exists = true,
+          bool HasStart = false>
 struct FieldOf {
   static constexpr bool is_signed = Signed;
   static constexpr const char* name() { return N.text; }
   template <class F>
   static constexpr Field shape(const F& format) {
-    return {N.text, width(format), Signed, HasReset, Reset};
+    return {N.text, width(format), Signed, HasReset, Reset, HasStart};
   }
   template <class F>
   static constexpr auto width(const F& format) {
@@ -88,6 +89,10 @@ using SignedData = FieldOf<N, W, true, false, 0>;
 /// A register that a reset sets.
 template <Name N, auto W = 1, std::int64_t Reset = 0>
 using Control = FieldOf<N, W, false, true, Reset>;
+
+/// A register that no reset sets, and that begins with any number. Simulators begin with 0.
+template <Name N, auto W = 1>
+using Counting = FieldOf<N, W, false, false, 0, true, true>;
 
 /// The same, only in formats where that holds.
 template <Name N, auto W, auto Exists>

@@ -1,78 +1,17 @@
-// What the registers of a core (registers.hpp) are made of: their places and bits, and the machine's fields.
+// The ports and the state of the machine registers (registers.hpp).
 #pragma once
 
-#include "hls/box/format.hpp"
-#include "hls/machines/channels.hpp"
-#include "hls/machines/memory.hpp"
+#include "hls/machines/register_table.hpp"
 
 namespace hitpipe::hls {
-
-/// The format "aAhHiIcC", for example a24h32i5c40, and behind it "k1" with a cache and "r1" with rings.
-struct RegisterBits {
-  int address = 24;  ///< A: bits of a block's number
-  int bytes = 32;    ///< H: bits of an address, of bytes, at least A + 5
-  int ray = 5;       ///< I: bits of a ray's number
-  int counter = 40;  ///< C: bits of a counter
-  int cache = 0;     ///< K: 1: the core has a cache
-  int rings = 0;     ///< R: 1: rays come from memory, and answers go to it
-
-  static constexpr FormatField fields[] = {{"a", "A", 4, 32},
-                                           {"h", "H", 9, 64},
-                                           {"i", "I", 1, 8},
-                                           {"c", "C", 1, 64},
-                                           {"k", "K", 0, 1, nullptr, true},
-                                           {"r", "R", 0, 1, nullptr, true}};
-  static constexpr const char* condition = "H at least A+5";
-
-  constexpr bool valid() const { return bytes >= address + 5; }
-  friend constexpr bool operator==(const RegisterBits&, const RegisterBits&) = default;
-};
 
 namespace registers {
 
 using namespace channels;
 
-constexpr std::int64_t identity = 0x48697470;  ///< "Hitp"
-constexpr std::int64_t version = 2;
-constexpr int word_place_bits = 6;  ///< words up to 0xfc
-/// Of words, not of bytes.
-enum Place {
-  identity_at,
-  version_at,
-  status_at,
-  control_at,
-  base_at,
-  high_base_at,
-  last_at,
-  most_steps_at,
-  most_rays_at,
-  clear_at,
-  format_at,
-  shape_at,
-  ports_at,
-  most_lines_at,
-  rays_low_at = 38,
-  rays_high_at,
-  answers_low_at,
-  answers_high_at,
-  ring_last_at,
-  offered_at,
-  interrupt_at,
-  answered_at
-};
-/// Bits of the control.
-enum ControlBit { soft_reset_bit, empties_bit };
-/// Bits of the status. From `failed_bit` on they stay until software clears them.
-enum Status {
-  idle_bit,                                      ///< no ray is in the core, so the image may change
-  resetting_bit,                                 ///< a soft reset is on its way
-  failed_bit = 8,                                ///< and a Failure: an answer has failed by it
-  bus_bit = failed_bit + int{unread_block} + 1,  ///< a block could not be read
-  base_bit,  ///< an address of an image was written that is no multiple of 64
-  ring_bit   ///< a ray could not be read, or an answer not written
-};
-constexpr int first_sticky = failed_bit + int{no_ray}, sticky_bits = base_bit - first_sticky + 1;
-constexpr int counters_at = 16;
+/// Bits of the status that every core keeps until software clears them.
+constexpr int first_sticky = bit<"STATUS", "failed">;
+constexpr int sticky_bits = bit<"STATUS", "base_error"> - first_sticky + 1;
 
 constexpr Data<"awvalid"> awvalid;
 constexpr Data<"awaddr", word_place_bits + 2> awaddr;
@@ -95,6 +34,7 @@ constexpr Data<"rresp", 2> rresp;
 constexpr Data<"about_format", 32> about_format;
 constexpr Data<"about_shape", 32> about_shape;
 constexpr Data<"about_ports", 32> about_ports;
+constexpr Data<"about_limits", 32> about_limits;
 // What passes between the core and its surroundings, and the reset of the core.
 constexpr Data<"lets_rays"> lets_rays;
 constexpr Data<"lets_requests"> lets_requests;
@@ -115,7 +55,9 @@ constexpr DataIf<"irq", 1, &RegisterBits::rings> interrupt;
 constexpr DataIf<"ring_answers", ring_count_bits, &RegisterBits::rings> answers_there;
 constexpr DataIf<"ring_busy", 1, &RegisterBits::rings> rings_busy;
 constexpr DataIf<"ring_quiet", 1, &RegisterBits::rings> rings_quiet;
-constexpr DataIf<"ring_error", 1, &RegisterBits::rings> rings_error;
+constexpr DataIf<"ring_flaws", ring_flaw_bits, &RegisterBits::rings> rings_flaws;
+// Rings end what is offered even when no ray may begin.
+constexpr DataIf<"lets_rings", 1, &RegisterBits::rings> lets_rings_given;
 
 // A write: its address and its word come in any order.
 constexpr Control<"has_place"> has_place;
@@ -130,7 +72,7 @@ constexpr Data<"read_place", word_place_bits> read_place;
 constexpr Data<"given", 32> given;
 constexpr Control<"base_r", base_bits> base_r;
 constexpr Control<"last_r", address_bits> last_r;
-constexpr Control<"most_steps_r", step_count_bits, low_mask(step_count_bits)> most_steps_r;
+constexpr Control<"most_steps_r", step_count_bits, reset<"MOST_STEPS">> most_steps_r;
 constexpr Control<"most_rays_r", ray_count_bits> most_rays_r;
 constexpr Control<"sticky_r", sticky_bits> sticky_r;
 /// Some rays wait in front of those in flight.
@@ -149,7 +91,7 @@ constexpr Control<"count_records", &RegisterBits::counter> count_records;
 constexpr Control<"count_triangles", &RegisterBits::counter> count_triangles;
 constexpr Control<"count_idle", &RegisterBits::counter> count_idle;
 constexpr Control<"count_refused", &RegisterBits::counter> count_refused;
-constexpr ControlIf<"most_lines_r", line_count_bits, &RegisterBits::cache, 8> most_lines_r;
+constexpr ControlIf<"most_lines_r", line_count_bits, &RegisterBits::cache, reset<"MOST_LINES">> most_lines_r;
 constexpr ControlIf<"empties_r", 1, &RegisterBits::cache> empties_r;
 constexpr ControlIf<"count_cache_hits", &RegisterBits::counter, &RegisterBits::cache> count_cache_hits;
 constexpr ControlIf<"count_joins", &RegisterBits::counter, &RegisterBits::cache> count_joins;
@@ -159,7 +101,7 @@ constexpr ControlIf<"answers_at_r", ring_base_bits, &RegisterBits::rings> answer
 constexpr ControlIf<"ring_last_r", ring_count_bits, &RegisterBits::rings> ring_last_r;
 constexpr ControlIf<"offered_r", ring_count_bits, &RegisterBits::rings> offered_r;
 constexpr ControlIf<"interrupt_r", ring_count_bits + 1, &RegisterBits::rings> interrupt_r;
-constexpr ControlIf<"ring_failed_r", 1, &RegisterBits::rings> ring_failed_r;
+constexpr ControlIf<"ring_flaws_r", ring_flaw_bits, &RegisterBits::rings> ring_flaws_r;
 constexpr ControlIf<"interrupts_r", 1, &RegisterBits::rings> interrupts_r;
 
 }  // namespace registers

@@ -1,30 +1,10 @@
-// What the host says to a core and reads of it (docs/core.md): registers behind AXI4-Lite. Words have 32
-// bits; an address is that of a word, and its two low bits are ignored. A word that is not in this list reads
-// as 0, and to write it changes nothing. A number that is too large for its register becomes the largest there.
-//   0x00  identity        0x04  version
-//   0x08  status: the bits of Status below. Some stay until software writes a 1 to them
-//   0x0c  control: to write 1 begins a soft reset, and to write 2 empties the cache
-//   0x10  base address of the image: low word, a multiple of 64; 0x14: high word, without bits above the bus
-//   0x18  number of the image's last block
-//   0x1c  records that a ray may test
-//   0x20  rays in flight; 0 after a reset, and then no ray begins. Only a reset makes them fewer
-//   0x24  counters: a write makes all 0
-//   0x28  format, 0x2c: shape, 0x30: ports of the core, which are constants (rtl_gen/core/identity.hpp)
-//   0x34  lines that the cache may read at a time, 1 or more
-//   0x40  counters, of two words each, the low one first: cycles, rays that have begun, answers, answers with
-//         a hit that have not failed, records that were asked for, triangles that were asked for, cycles without a
-//         request, cycles in which memory took no request; with a cache these are requests to it, and there are
-//         more: hits, joins, lines that were read
-//   0x98  with rays from memory: address of the ring of rays, low and high word, a multiple of 128
-//   0xa0  address of the ring of answers, likewise
-//   0xa8  places of each ring, less 1
-//   0xac  rays that were offered, of all; a soft reset makes it 0
-//   0xb0  from how many answers on there is an interrupt, and 2^16 above it to have one
-//   0xb4  answers that are in memory, of all
+// What the host says to a core and reads of it (docs/core.md): registers behind AXI4-Lite. What each word
+// says is in register_table.hpp. An address is that of a word, and its two low bits are ignored.
 //
-// A soft reset takes no new ray, request or answer any more, but what is offered stays until it is taken. When all
-// blocks that were asked for have come, the core is reset. Rays that were in flight get no answer. A core with a cache
-// does not ask it for blocks any more, and one with rings ends what it reads and writes there. A write to the address of the image or to its last block empties the cache.
+// A soft reset takes no new ray, request or answer any more, but what is offered stays until it is taken.
+// When all blocks that were asked for have come, the core is reset. Rays that were in flight get no answer. A
+// core with a cache does not ask it for blocks any more, and one with rings ends what it reads and writes
+// there. A write to the address of the image or to its last block empties the cache.
 #pragma once
 
 #include "hls/machines/register_fields.hpp"
@@ -40,17 +20,17 @@ struct Registers {
   struct In
       : List<awvalid, awaddr, wvalid, wdata, wstrb, bready, arvalid, araddr, rready, ray_valid, ray_ready,
              Hits::valid, Hits::ready, Hits::number, Hits::failed, request_valid, request_ready, request_id,
-             read_valid, read_error, about_format, about_shape, about_ports, hit_happens, join_happens,
-             line_asked, answers_there, rings_busy, rings_quiet, rings_error> {};
+             read_valid, read_error, about_format, about_shape, about_ports, about_limits, hit_happens,
+             join_happens, line_asked, answers_there, rings_busy, rings_quiet, rings_flaws> {};
   struct Out : Join<List<awready, wready, bvalid, bresp, arready, rvalid, rdata, rresp>, Settings,
                     List<lets_rays, lets_requests, lets_answers, resets, most_lines_given, empties_given,
-                         rays_place, answers_place, last_place, offered, interrupt>> {};
+                         rays_place, answers_place, last_place, offered, interrupt, lets_rings_given>> {};
   struct State : List<has_place, has_word, write_place, written_word, strobes, written, has_read, gives,
                       read_place, given, base_r, last_r, most_steps_r, most_rays_r, sticky_r, flying, reading,
                       stops, offers_requests, offers_answers, resets_r, count_cycles, count_rays,
                       count_answers, count_hits, count_records, count_triangles, count_idle, count_refused,
                       most_lines_r, empties_r, count_cache_hits, count_joins, count_lines, rays_at_r,
-                      answers_at_r, ring_last_r, offered_r, interrupt_r, ring_failed_r, interrupts_r> {};
+                      answers_at_r, ring_last_r, offered_r, interrupt_r, ring_flaws_r, interrupts_r> {};
   struct Memory : List<> {};
 
   template <class D>
@@ -65,6 +45,7 @@ struct Registers {
       out[last_place] = now[ring_last_r];
       out[offered] = now[offered_r];
       out[interrupt] = now[interrupts_r];
+      out[lets_rings_given] = ~now[stops];
     }
     const auto okay = D::lit(0, 2_w);
     out[awready] = ~now[has_place];
@@ -79,7 +60,7 @@ struct Registers {
     out[last] = now[last_r];
     out[most_steps] = now[most_steps_r];
     out[most_rays] = now[most_rays_r];
-    out[lets_rays] = ~now[stops];
+    out[lets_rays] = ~now[stops] & any<D>(now[most_rays_r]);
     out[lets_requests] = now[offers_requests];
     out[lets_answers] = now[offers_answers];
     out[resets] = now[resets_r];
@@ -98,7 +79,7 @@ struct Registers {
     next[has_read] = (now[has_read] & ~reads) | (~now[has_read] & in[arvalid]);
 
     const Bit writes = as("writes", now[has_place] & now[has_word] & ~now[written]);
-    const Bit clears = as("clears", writes & is<D>(now[write_place], clear_at));
+    const Bit clears = as("clears", writes & is<D>(now[write_place], at<"CLEAR_COUNTERS">));
     count<D>(f, now, in, clears, next);
     const auto mask = as("mask", mask_of<D>(now, writes));
     write<D>(now, mask, next);
@@ -137,54 +118,59 @@ struct Registers {
     const auto if_at = [&](int place, const auto& word) { return only(is<D>(now[read_place], place), word); };
     const auto low = [&](const auto& x) { return slice(two_words(x), 31_w, 0_w); };
     const auto high = [&](const auto& x) { return slice(two_words(x), 63_w, 32_w); };
-    const auto address = cat(now[base_r], D::lit(0, 6_w));
+    const auto address = cat(now[base_r], D::lit(0, image_zeros));
     const auto status = cat(
         now[sticky_r], cat(D::lit(0, Width<first_sticky - 2>()), cat(now[stops], is_idle<D>(f, now, in))));
-    const auto about = if_at(status_at, low(status)) | if_at(format_at, in[about_format]) |
-                       if_at(shape_at, in[about_shape]) | if_at(ports_at, in[about_ports]);
-    const auto settings =
-        if_at(identity_at, D::lit(identity, 32_w)) | if_at(version_at, D::lit(version, 32_w)) |
-        if_at(base_at, low(address)) | if_at(high_base_at, high(address)) | if_at(last_at, low(now[last_r])) |
-        if_at(most_steps_at, low(now[most_steps_r])) | if_at(most_rays_at, low(now[most_rays_r]));
+    const auto about = if_at(at<"STATUS">, low(status)) | if_at(at<"FORMAT">, in[about_format]) |
+                       if_at(at<"SHAPE">, in[about_shape]) | if_at(at<"PORTS">, in[about_ports]) |
+                       if_at(at<"LIMITS">, in[about_limits]);
+    const auto settings = if_at(at<"IDENTITY">, D::lit(identity, 32_w)) |
+                          if_at(at<"VERSION">, D::lit(version, 32_w)) | if_at(at<"BASE_LOW">, low(address)) |
+                          if_at(at<"BASE_HIGH">, high(address)) | if_at(at<"LAST_BLOCK">, low(now[last_r])) |
+                          if_at(at<"MOST_STEPS">, low(now[most_steps_r])) |
+                          if_at(at<"MOST_RAYS">, low(now[most_rays_r]));
     const typename D::bit second = bit_at(now[read_place], 0_w);
-    const auto counter = [&](int number, auto field) {
-      const auto place = slice(now[read_place], Width<word_place_bits - 1>(), 1_w);
-      return only(is<D>(place, counters_at / 2 + number), select(second, high(now[field]), low(now[field])));
+    const auto counter = [&](int low_at, auto field) {
+      const auto pair = slice(now[read_place], Width<word_place_bits - 1>(), 1_w);
+      return only(is<D>(pair, low_at / 2), select(second, high(now[field]), low(now[field])));
     };
-    const auto always = about | settings | counter(0, count_cycles) | counter(1, count_rays) |
-                        counter(2, count_answers) | counter(3, count_hits) | counter(4, count_records) |
-                        counter(5, count_triangles) | counter(6, count_idle) | counter(7, count_refused);
+    const auto always = about | settings | counter(at<"CYCLES">, count_cycles) |
+                        counter(at<"RAYS">, count_rays) | counter(at<"ANSWERS">, count_answers) |
+                        counter(at<"HITS">, count_hits) | counter(at<"RECORDS">, count_records) |
+                        counter(at<"TRIANGLES">, count_triangles) | counter(at<"IDLE">, count_idle) |
+                        counter(at<"REFUSED">, count_refused);
     auto word = always;
     if (has_cache(f))
-      word = always | if_at(most_lines_at, low(now[most_lines_r])) | counter(8, count_cache_hits) |
-             counter(9, count_joins) | counter(10, count_lines);
+      word = always | if_at(at<"MOST_LINES">, low(now[most_lines_r])) |
+             counter(at<"CACHE_HITS">, count_cache_hits) | counter(at<"CACHE_JOINS">, count_joins) |
+             counter(at<"CACHE_LINES">, count_lines);
     if (has_rings(f)) {
       const auto ring = [&](int low_at, auto field) {
-        const auto place = cat(now[field], D::lit(0, 7_w));
+        const auto place = cat(now[field], D::lit(0, ring_zeros));
         return if_at(low_at, low(place)) | if_at(low_at + 1, high(place));
       };
-      const auto failed = cat(now[ring_failed_r], D::lit(0, Width<ring_bit>()));
-      word = word | ring(rays_low_at, rays_at_r) | ring(answers_low_at, answers_at_r) |
-             if_at(ring_last_at, low(now[ring_last_r])) | if_at(offered_at, low(now[offered_r])) |
-             if_at(interrupt_at, low(now[interrupt_r])) | if_at(answered_at, low(in[answers_there])) |
-             if_at(status_at, low(failed));
+      const auto flaws = cat(now[ring_flaws_r], D::lit(0, bit<"STATUS", "ring_error">));
+      word = word | ring(at<"RAYS_LOW">, rays_at_r) | ring(at<"ANSWERS_LOW">, answers_at_r) |
+             if_at(at<"RING_LAST">, low(now[ring_last_r])) | if_at(at<"OFFERED">, low(now[offered_r])) |
+             if_at(at<"INTERRUPT">, low(now[interrupt_r])) | if_at(at<"ANSWERED">, low(in[answers_there])) |
+             if_at(at<"STATUS">, low(flaws));
     }
     return word;
   }
 
   template <class D>
   static constexpr void write(const auto& now, const auto& mask, const auto& next) {
-    using Bit = typename D::bit;
-    next[base_r] = changed_address<D>(now, mask, base_r, base_at, 6_w);
-    next[last_r] = changed_field<D>(now, mask, last_r, last_at);
-    next[most_steps_r] = changed_field<D>(now, mask, most_steps_r, most_steps_at);
-    next[most_rays_r] = only(Bit(~now[stops]), changed_field<D>(now, mask, most_rays_r, most_rays_at));
+    next[base_r] = changed_address<D, "BASE_LOW">(now, mask, base_r, image_zeros);
+    next[last_r] = changed_number<D, "LAST_BLOCK">(now, mask, last_r);
+    next[most_steps_r] = changed_number<D, "MOST_STEPS">(now, mask, most_steps_r);
+    next[most_rays_r] = changed_number<D, "MOST_RAYS">(now, mask, most_rays_r);
   }
 
   /// What a write makes of an address, without its low zeros.
-  template <class D>
-  static constexpr auto changed_address(const auto& now, const auto& mask, auto field, int low_at,
-                                        const auto& zeros) {
+  template <class D, Name Low>
+  static constexpr auto changed_address(const auto& now, const auto& mask, auto field, const auto& zeros) {
+    static_assert(called(Low.text).fit == Fit::cut);
+    const int low_at = at<Low>;
     const auto words = cat(now[written_word], now[written_word]);
     const auto old = two_words(cat(now[field], D::lit(0, zeros)));
     const auto by = cat(mask_at<D>(now, mask, low_at + 1), mask_at<D>(now, mask, low_at));
@@ -195,17 +181,18 @@ struct Registers {
   template <class D>
   static constexpr void of_rings(const auto& now, const auto& in, const auto& mask, const auto& next) {
     using Bit = typename D::bit;
-    next[rays_at_r] = changed_address<D>(now, mask, rays_at_r, rays_low_at, 7_w);
-    next[answers_at_r] = changed_address<D>(now, mask, answers_at_r, answers_low_at, 7_w);
-    next[ring_last_r] = changed_field<D>(now, mask, ring_last_r, ring_last_at);
-    next[offered_r] = only(Bit(~now[resets_r]), changed_field<D>(now, mask, offered_r, offered_at));
-    next[interrupt_r] = changed_field<D>(now, mask, interrupt_r, interrupt_at);
+    next[rays_at_r] = changed_address<D, "RAYS_LOW">(now, mask, rays_at_r, ring_zeros);
+    next[answers_at_r] = changed_address<D, "ANSWERS_LOW">(now, mask, answers_at_r, ring_zeros);
+    next[ring_last_r] = changed_number<D, "RING_LAST">(now, mask, ring_last_r);
+    next[offered_r] = changed_number<D, "OFFERED">(now, mask, offered_r);
+    next[interrupt_r] = changed_number<D, "INTERRUPT">(now, mask, interrupt_r);
     const auto from = slice(now[interrupt_r], Width<ring_count_bits - 1>(), 0_w);
     const Bit enough = ~sign(minus(in[answers_there], from));
     next[interrupts_r] = as("interrupts", bit_at(now[interrupt_r], Width<ring_count_bits>()) & enough);
     const auto ones = now[written_word] & mask;
-    const Bit cleared = bit_at(mask_at<D>(now, ones, status_at), Width<ring_bit>());
-    next[ring_failed_r] = in[rings_error] | (now[ring_failed_r] & ~cleared);
+    const auto cleared =
+        slice(mask_at<D>(now, ones, at<"STATUS">), bit<"STATUS", "overfull">, bit<"STATUS", "ring_error">);
+    next[ring_flaws_r] = in[rings_flaws] | (now[ring_flaws_r] & ~cleared);
   }
 
   /// How a cache is told that the image has changed, and how many lines it may read.
@@ -214,21 +201,39 @@ struct Registers {
                                  const auto& next) {
     using Bit = typename D::bit;
     const auto is_at = [&](int place) { return is<D>(now[write_place], place); };
-    const Bit of_image = is_at(base_at) | is_at(high_base_at) | is_at(last_at);
+    const Bit of_image = is_at(at<"BASE_LOW">) | is_at(at<"BASE_HIGH">) | is_at(at<"LAST_BLOCK">);
     const auto ones = now[written_word] & mask;
-    const Bit asked_to = bit_at(mask_at<D>(now, ones, control_at), Width<empties_bit>());
+    const Bit asked_to = bit_at(mask_at<D>(now, ones, at<"CONTROL">), bit<"CONTROL", "empty_cache">);
     next[empties_r] = as("empties", (writes & of_image) | asked_to);
-    next[most_lines_r] = changed_field<D>(now, mask, most_lines_r, most_lines_at);
+    next[most_lines_r] = changed_number<D, "MOST_LINES">(now, mask, most_lines_r);
   }
-  /// What a write makes of a field. What is too large becomes its largest number.
-  template <class D>
-  static constexpr auto changed_field(const auto& now, const auto& mask, auto field, int at) {
+  /// What a write and a soft reset make of a register's number, by its rules in the table.
+  template <class D, Name Register>
+  static constexpr auto changed_number(const auto& now, const auto& mask, auto field) {
+    using Bit = typename D::bit;
+    constexpr auto& rules = called(Register.text);
+    constexpr SoftReset soft = rules.fields.front().soft_reset;
+    const auto number = fitting_number<D, rules.fit>(now, mask, field, rules.place);
+    if constexpr (soft == SoftReset::holds)
+      return only(Bit(~now[stops]), number);
+    else if constexpr (soft == SoftReset::clears)
+      return only(Bit(~now[resets_r]), number);
+    else
+      return number;
+  }
+  template <class D, Fit Rule>
+  static constexpr auto fitting_number(const auto& now, const auto& mask, auto field, int at) {
+    static_assert(Rule != Fit::cut);
     const auto by = cat(D::lit(0, 32_w), mask_at<D>(now, mask, at));
     const auto words = cat(now[written_word], now[written_word]);
     const auto word = (two_words(now[field]) & ~by) | (words & by);
     const auto width = width_of(now[field]);
     const typename D::bit above = any<D>(slice(word, 63_w, width));
-    return slice(word, width - 1_w, 0_w) | spread(above, width);
+    const auto number = slice(word, width - 1_w, 0_w) | spread(above, width);
+    if constexpr (Rule == Fit::from_one)
+      return number | resize(~any<D>(number), width);
+    else
+      return number;
   }
 
   template <class D>
@@ -253,14 +258,16 @@ struct Registers {
 
     const auto happens = [&](int failure) { return Bit(answered & is<D>(in[Hits::failed], failure)); };
     const auto ones = now[written_word] & mask;
-    const Bit low_base = any<D>(slice(mask_at<D>(now, ones, base_at), 5_w, 0_w));
+    const Bit low_base = any<D>(slice(mask_at<D>(now, ones, at<"BASE_LOW">), image_zeros - 1_w, 0_w));
     const auto happened =
         cat(low_base, Bit(in[read_valid] & in[read_error]), happens(unread_block), happens(outside_image),
             happens(too_many_levels), happens(too_many_steps), happens(no_ray));
-    const auto cleared = slice(mask_at<D>(now, ones, status_at), Width<base_bit>(), Width<first_sticky>());
+    const auto cleared =
+        slice(mask_at<D>(now, ones, at<"STATUS">), bit<"STATUS", "base_error">, bit<"STATUS", "failed">);
     next[sticky_r] = as("sticky", (now[sticky_r] & ~cleared) | happened);
 
-    const Bit begins = as("soft_reset", bit_at(mask_at<D>(now, ones, control_at), Width<soft_reset_bit>()));
+    const Bit begins =
+        as("soft_reset", bit_at(mask_at<D>(now, ones, at<"CONTROL">), bit<"CONTROL", "soft_reset">));
     const Bit stopping = as("stopping", begins | (now[stops] & goes_on));
     // The core gives answers to its rings until they are full, or its reset comes.
     const Bit answers_left = has_rings(f) ? Bit(~in[rings_quiet]) : Bit(now[offers_answers]);

@@ -3,6 +3,8 @@
 // there are so many, and gives them to the core. It writes the answers in the order in which they come, four at a
 // time, or fewer when no other answer has come for some time. It says how many are in memory.
 // Counts go round at 2^16. A ring has 2^k places; the host offers no more rays than have room, so answers have room too.
+// If it offers more, or takes some back, no further ray is read. If an answer could not be written, none is written after it, and no ray
+// is read: the answers that are said to be in memory end before it. A reset ends both.
 //   a ray      32 bytes: ox, oy, oz, dx, dy, dz, length as binary32, then 3 bytes of the tag, and a byte with 1 for any
 //              hit, else 0
 //   an answer  16 bytes: the triangle's number in 4, 3 bytes of the tag, a byte that says why it has failed, and T in 8
@@ -105,6 +107,13 @@ constexpr Data<"stores_four"> stores_four;
 constexpr Control<"left", 3> left;  // answers to be put
 constexpr ControlIf<"second", 1, &RingBits::halves> second;
 constexpr Control<"failed_1"> failed_1;
+constexpr Control<"unwritten"> unwritten;  // an answer could not be written
+// What the host has offered one cycle ago, how many of these have no answer in memory, and how many of them are new.
+constexpr Control<"announced", ring_count_bits> announced;
+constexpr Control<"unanswered", ring_count_bits> unanswered;
+constexpr Control<"fresh", ring_count_bits> fresh;
+constexpr Control<"accepted", ring_count_bits> accepted;
+constexpr Control<"overfull"> overfull;  // more rays were offered than there are places
 
 struct Answer : List<Hits::failed, Hits::tag, Hits::t, Hits::number> {};
 constexpr Lookup<"rays_0", places, 64> rays_0;
@@ -123,9 +132,10 @@ struct Rings {
   struct Out
       : Join<List<ray_valid, ray_tag, ray_any, ray_ox, ray_oy, ray_oz, ray_dx, ray_dy, ray_dz, ray_len>,
              Hits::Back, Fetch, Store, RingState> {};
-  struct State : List<asked_for, held_rays, come, first_ray, is_offered, fetches, fetch_place, fetches_four,
-                      beat, spoils, begun_1, sent, waiting, in_memory, patience, stores, storing, store_place,
-                      stores_four, left, second, failed_1> {};
+  struct State
+      : List<asked_for, held_rays, come, first_ray, is_offered, fetches, fetch_place, fetches_four, beat,
+             spoils, begun_1, sent, waiting, in_memory, patience, stores, storing, store_place, stores_four,
+             left, second, failed_1, unwritten, announced, unanswered, fresh, accepted, overfull> {};
   struct Memory : List<rays_0, rays_1, rays_2, rays_3, spoilt, answers_kept> {};
 
   template <class D>
@@ -172,7 +182,7 @@ struct Rings {
     out[ring_busy] =
         now[is_offered] | any<D>(now[held_rays]) | now[begun_1] | any<D>(now[waiting]) | now[storing];
     out[ring_quiet] = Bit(now[held_rays] == now[come]) & ~now[storing];
-    out[ring_error] = now[failed_1];
+    out[ring_flaws] = cat(now[overfull], now[unwritten], now[failed_1]);
   }
 
   template <class D>
@@ -187,7 +197,8 @@ struct Rings {
     ask<D>(now, in, leaves, next);
     const Bit puts = put<D>(f, now, in, memory, next);
     store<D>(now, in, puts, next);
-    next[failed_1] = (in[fetched_valid] & in[fetched_error]) | (in[stored_valid] & in[stored_error]);
+    next[failed_1] = in[fetched_valid] & in[fetched_error];
+    next[unwritten] = now[unwritten] | (in[stored_valid] & in[stored_error]);
   }
 
  private:
@@ -197,20 +208,43 @@ struct Rings {
   static constexpr void ask(const auto& now, const auto& in, const typename D::bit& leaves,
                             const auto& next) {
     using Bit = typename D::bit;
-    const auto offered = as("offered", minus(in[rays_offered], now[asked_for]));
-    next[is_offered] = any<D>(offered);
+    const Bit stands = accept<D>(now, in, next);
+    const auto offered = as("offered", minus(now[accepted], now[asked_for]));
+    next[is_offered] = ~Bit(in[rays_offered] == now[asked_for]);
     const auto bit = [&](auto i) { return bit_at(now[held_rays], i); };
     const Bit room_for_one = ~bit(4_w);
     const Bit room_for_four = ~(bit(4_w) | (bit(3_w) & bit(2_w) & (bit(1_w) | bit(0_w))));
     const Bit four = as("four_rays", any<D>(slice(offered, Width<ring_count_bits - 1>(), 2_w)) &
                                          room_for_four & ~any<D>(slice(now[asked_for], 1_w, 0_w)));
-    const Bit begins = as("fetch_begins", any<D>(offered) & room_for_one & in[lets_rings] & ~now[fetches]);
+    const Bit begins =
+        as("fetch_begins", any<D>(offered) & room_for_one & in[lets_fetches] & ~stands & ~now[fetches]);
     const auto count = only(begins, cat(four, D::lit(0, 1_w), Bit(~four)));
     next[asked_for] = plus(now[asked_for], count);
     next[held_rays] = minus(plus(now[held_rays], count), leaves);
     next[fetches] = begins | (now[fetches] & ~in[fetch_ready]);
     next.where(begins)[fetch_place] = place_of_ray<D>(now, in);
     next.where(begins)[fetches_four] = four;
+  }
+  /// Looks at what is offered, in the cycle after. The host has taken answers that are in memory, no others, so more rays
+  /// than places without one have no room. Says whether no more are read.
+  template <class D>
+  static constexpr typename D::bit accept(const auto& now, const auto& in, const auto& next) {
+    using Bit = typename D::bit;
+    next[announced] = in[rays_offered];
+    next[unanswered] = minus(in[rays_offered], now[in_memory]);
+    next[fresh] = minus(in[rays_offered], now[announced]);
+    const auto last = in[ring_last];
+    const auto doubled = cat(slice(last, Width<ring_count_bits - 2>(), 0_w), D::lit(1, 1_w));
+    const auto place_bit = as("place_bit", doubled & ~last);
+    const auto has_no_room = [&](const auto& count) {
+      const Bit exactly = any<D>(count & place_bit);
+      return Bit(any<D>(count & ~doubled) | (exactly & any<D>(count & last)));
+    };
+    const Bit no_room = has_no_room(now[fresh]) | has_no_room(now[unanswered]) | ~any<D>(now[unanswered]);
+    const Bit full = as("full", now[overfull] | (any<D>(now[fresh]) & no_room));
+    next[overfull] = full;
+    next.where(Bit(~full))[accepted] = now[announced];
+    return full | now[unwritten];
   }
   template <class D>
   static constexpr auto place_of_ray(const auto& now, const auto& in) {
@@ -282,8 +316,8 @@ struct Rings {
     const Bit four = as("four_answers", aligned & any<D>(slice(now[waiting], Width<place_bits>(), 2_w)));
     const Bit some = any<D>(now[waiting]);
     const Bit waited = ~any<D>(~now[patience]);
-    const Bit begins =
-        as("store_begins", in[lets_rings] & ~now[storing] & (four | (some & (~aligned | waited))));
+    const Bit begins = as("store_begins", in[lets_rings] & ~now[unwritten] & ~now[storing] &
+                                              (four | (some & (~aligned | waited))));
     const Bit rests = begins | ~some;
     next[patience] = only(Bit(~rests), plus(now[patience], Bit(~waited)));
     next[stores] = begins | (now[stores] & ~in[store_ready]);
@@ -291,7 +325,8 @@ struct Rings {
     next.where(begins)[store_place] = place_of_answer<D>(now, in);
     next.where(begins)[stores_four] = four;
     next[left] = select(begins, cat(four, D::lit(0, 1_w), Bit(~four)), minus(now[left], puts));
-    next.where(Bit(in[stored_valid]))[in_memory] = plus(now[sent], puts);
+    next.where(Bit(in[stored_valid] & ~in[stored_error] & ~now[unwritten]))[in_memory] =
+        plus(now[sent], puts);
   }
 };
 

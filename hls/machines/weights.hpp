@@ -13,7 +13,7 @@ namespace hitpipe::hls {
 struct WeightBits {
   int determinant = 61;  ///< D: bits of det
   int edge = 62;         ///< E: bits of u and v
-  int distance = 20;     ///< T: bits of a distance
+  int distance = 20;     ///< T: bits of the T of an answer
   int tag = 16;          ///< G: bits of a tag
   int ray = 5;           ///< I: bits of a ray's number
 

@@ -6,6 +6,7 @@
 
 #include "hitpipe/ref.hpp"
 #include "library/python/module.hpp"
+#include "library/python/working.hpp"
 
 namespace hitpipe::python {
 
@@ -31,7 +32,7 @@ std::string price_text(const PriceInfo& price) {
 }
 
 PriceInfo priced(const std::string& design, const std::string& format, const std::string& library) {
-  const py::gil_scoped_release others_run;
+  const Working others_run;
   return price(design, format, library);
 }
 

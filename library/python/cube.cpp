@@ -60,7 +60,7 @@ void add_cube(py::module_& m) {
       "scale.");
   m.def(
       "to_cube",
-      [](const py::dict& transform, const py::array& items) {
+      [](const py::object& transform, const py::array& items) {
         const Transform own = transform_of(transform);
         return items.ndim() == 2 ? moved_rays(&own, items) : moved_boxes(&own, items);
       },

@@ -3,6 +3,7 @@
 
 #include "hitpipe/ref.hpp"
 #include "library/python/arrays.hpp"
+#include "library/python/working.hpp"
 
 namespace hitpipe::python {
 
@@ -23,7 +24,7 @@ py::array_t<bool> exact(const py::object& rays, const py::object& boxes) {
   const auto own_boxes = boxes_of(boxes, own_rays.count, 1);
   py::array_t<bool> met(static_cast<py::ssize_t>(own_rays.count));
   auto* const out = reinterpret_cast<std::uint8_t*>(met.mutable_data());
-  const py::gil_scoped_release others_run;
+  const Working others_run;
   check(hitpipe_exact_pairs(own_rays.first, own_boxes.first, own_rays.count, out));
   return met;
 }
@@ -42,6 +43,9 @@ PYBIND11_MODULE(hitpipe, m) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const hitpipe::Error& refused) {
+      // What a signal's handler raised is there.
+      if (PyErr_Occurred() == nullptr) error(refused.what());
+    } catch (const std::invalid_argument& refused) {
       error(refused.what());
     } catch (const Refusal& refused) {
       error(refused.what());

@@ -1,10 +1,8 @@
 // Scenes and what rays find in them.
 #include "hitpipe/scene.hpp"
 
-#include <memory>
-#include <mutex>
 #include <optional>
-#include <shared_mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +11,7 @@
 #include "library/python/arrays.hpp"
 #include "library/python/module.hpp"
 #include "library/python/transform.hpp"
+#include "library/python/working.hpp"
 
 namespace hitpipe::python {
 
@@ -42,54 +41,51 @@ struct CrossingArrays {
   py::array_t<std::int8_t> side;
 };
 
-/// Python's threads may share it: questions take a lock that many hold, and move() waits for all of them.
+/// Python's threads may share it, as they may the scene of C.
 class PythonScene {
  public:
   PythonScene(const py::object& corners, const py::object& triangles, const std::string& world,
-              const std::optional<py::dict>& transform, const py::object& nodes, const py::object& order,
-              int threads) {
+              const py::object& transform, const py::object& nodes, const py::object& order,
+              const py::object& contains, int threads) {
     const auto points = rows_of<float>(corners, "corners", 3);
     const auto indices = rows_of<std::uint32_t>(triangles, "triangles", 3);
     corner_count_ = points.count;
-    const hitpipe_mesh mesh{points.first, points.count, indices.first, indices.count};
-    hitpipe_scene_options options{world.c_str(), nullptr, nullptr, threads};
+    SceneOptions options{.world = world, .threads = threads};
     Transform own_transform{};
-    if (transform) {
-      own_transform = transform_of(*transform);
+    if (!transform.is_none()) {
+      own_transform = transform_of(transform);
       options.transform = &own_transform;
     }
-    hitpipe_hierarchy hierarchy{};
+    if (nodes.is_none() != order.is_none())
+      throw Refusal("nodes and order: a hierarchy of your own has both");
     std::optional<Items<hitpipe_node>> own_nodes;
     std::optional<Items<std::uint32_t>> own_order;
     if (!nodes.is_none()) {
       own_nodes = nodes_of(nodes);
       own_order = numbers_of(order, "order", indices.count);
-      hierarchy = {own_nodes->first, own_nodes->count, own_order->first};
-      options.hierarchy = &hierarchy;
+      options.nodes = {own_nodes->first, own_nodes->count};
+      options.order = {own_order->first, own_order->count};
     }
-    hitpipe_scene* made = nullptr;
-    {
-      const py::gil_scoped_release others_run;
-      check(hitpipe_scene_open(&mesh, &options, &made));
+    std::optional<Items<float>> own_contains;
+    if (!contains.is_none()) {
+      own_contains = rows_of<float>(contains, "contains", 3);
+      options.contains = rows<Point>(*own_contains);
     }
-    scene_.reset(made);
+    const Working others_run;
+    own_.emplace(rows<Point>(points), rows<TriangleCorners>(indices), options);
   }
 
   [[nodiscard]] SceneInfo info() const {
-    SceneInfo info;
-    const py::gil_scoped_release others_run;
-    const std::shared_lock asking(moving_);
-    check(hitpipe_scene_describe(scene_.get(), &info));
-    return info;
+    const Working others_run;
+    return own_->info();
   }
   void move(const py::object& corners, int threads) {
     const auto points = rows_of<float>(corners, "corners", 3);
     if (points.count != corner_count_)
       throw Refusal("corners: " + std::to_string(points.count) + " of them; the scene has " +
                     std::to_string(corner_count_));
-    const py::gil_scoped_release others_run;
-    const std::unique_lock alone(moving_);
-    if (points.count != 0) check(hitpipe_scene_move(scene_.get(), points.first, threads));
+    const Working others_run;
+    if (points.count != 0) check(hitpipe_scene_move(own_->handle(), points.first, threads));
   }
 
   [[nodiscard]] NearestArrays nearest(const py::object& rays, bool weights, int threads) const {
@@ -101,18 +97,16 @@ class PythonScene {
       out.weights = three.mutable_data();
       all.weights = three;
     }
-    const py::gil_scoped_release others_run;
-    const std::shared_lock asking(moving_);
-    check(hitpipe_nearest(scene_.get(), own.first, own.count, threads, &out));
+    const Working others_run;
+    check(hitpipe_nearest(own_->handle(), own.first, own.count, threads, &out));
     return all;
   }
   [[nodiscard]] py::array_t<bool> any(const py::object& rays, int threads) const {
     const auto own = rays_of(rays);
     auto met = row<bool>(own.count);
     auto* const out = reinterpret_cast<std::uint8_t*>(met.mutable_data());
-    const py::gil_scoped_release others_run;
-    const std::shared_lock asking(moving_);
-    check(hitpipe_any(scene_.get(), own.first, own.count, threads, out));
+    const Working others_run;
+    check(hitpipe_any(own_->handle(), own.first, own.count, threads, out));
     return met;
   }
   [[nodiscard]] CountArrays count(const py::object& rays, int threads) const {
@@ -120,9 +114,8 @@ class PythonScene {
     CountArrays all{row<std::uint32_t>(own.count), row<std::int32_t>(own.count)};
     auto* const crossings = all.crossings.mutable_data();
     auto* const sides = all.sides.mutable_data();
-    const py::gil_scoped_release others_run;
-    const std::shared_lock asking(moving_);
-    check(hitpipe_count(scene_.get(), own.first, own.count, threads, crossings, sides));
+    const Working others_run;
+    check(hitpipe_count(own_->handle(), own.first, own.count, threads, crossings, sides));
     return all;
   }
   [[nodiscard]] CrossingArrays all(const py::object& rays, int threads) const {
@@ -136,9 +129,8 @@ class PythonScene {
       const hitpipe_all_out out{offsets, capacity, found.triangle.mutable_data(), found.t.mutable_data(),
                                 found.side.mutable_data()};
       {
-        const py::gil_scoped_release others_run;
-        const std::shared_lock asking(moving_);
-        check(hitpipe_all(scene_.get(), own.first, own.count, threads, &out));
+        const Working others_run;
+        check(hitpipe_all(own_->handle(), own.first, own.count, threads, &out));
       }
       if (offsets[own.count] <= capacity) break;
     }
@@ -152,9 +144,8 @@ class PythonScene {
     const auto own = rows_of<float>(points, "points", 3);
     auto in = row<bool>(own.count);
     auto* const out = reinterpret_cast<std::uint8_t*>(in.mutable_data());
-    const py::gil_scoped_release others_run;
-    const std::shared_lock asking(moving_);
-    check(hitpipe_inside(scene_.get(), own.first, own.count, threads, out));
+    const Working others_run;
+    check(hitpipe_inside(own_->handle(), own.first, own.count, threads, out));
     return in;
   }
 
@@ -162,32 +153,28 @@ class PythonScene {
     const auto own = rays_of(rays);
     auto made = row<hitpipe_integer_ray>(own.count);
     auto* const out = made.mutable_data();
-    const py::gil_scoped_release others_run;
-    const std::shared_lock asking(moving_);
-    check(hitpipe_integer_rays(scene_.get(), own.first, own.count, out));
+    const Working others_run;
+    check(hitpipe_integer_rays(own_->handle(), own.first, own.count, out));
     return made;
   }
   [[nodiscard]] py::bytes core_image() const {
     std::vector<std::uint8_t> bytes;
     {
-      const py::gil_scoped_release others_run;
-      const std::shared_lock asking(moving_);
-      std::size_t size = 0;
-      check(hitpipe_core_image(scene_.get(), nullptr, 0, &size));
-      bytes.resize(size);
-      check(hitpipe_core_image(scene_.get(), bytes.data(), bytes.size(), &size));
+      const Working others_run;
+      bytes = own_->core_image();
     }
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
 
  private:
-  struct Close {
-    void operator()(hitpipe_scene* scene) const { hitpipe_scene_close(scene); }
-  };
+  template <class Row, class T>
+  static std::span<const Row> rows(const Items<T>& items) {
+    static_assert(sizeof(Row) == 3 * sizeof(T));
+    return {reinterpret_cast<const Row*>(items.first), items.count};
+  }
 
-  std::unique_ptr<hitpipe_scene, Close> scene_;
+  std::optional<Scene> own_;
   std::size_t corner_count_ = 0;
-  mutable std::shared_mutex moving_;
 };
 
 }  // namespace
@@ -222,19 +209,22 @@ void add_scene(py::module_& m) {
       .def_property_readonly(
           "transform", [](const SceneInfo& info) { return dict_of(info.transform); },
           "A dict of offset and scale: from the mesh's units into the cube of an integer world.");
-  py::class_<PythonScene>(m, "Scene",
-                          "Triangles that rays are asked about, as <hitpipe/scene.h> says. Corners are (C, "
-                          "3) of float32, triangles\n"
-                          "(T, 3) of uint32. `world` is \"float\", or an integer world: \"20+1s20\". "
-                          "`transform` is a dict of offset and\n"
-                          "scale, for an integer world. `nodes` and `order` are a hierarchy of your own. "
-                          "Threads may share a scene.\n"
-                          "`threads` of a call: 0 is one for each core.")
-      .def(py::init<const py::object&, const py::object&, const std::string&, const std::optional<py::dict>&,
-                    const py::object&, const py::object&, int>(),
+  py::class_<PythonScene>(
+      m, "Scene",
+      "Triangles that rays are asked about, as <hitpipe/scene.h> says. Corners are (C, "
+      "3) of float32, triangles\n"
+      "(T, 3) of uint32. `world` is \"float\", or an integer world: \"20+1s20\". "
+      "`transform` is a dict of offset and\n"
+      "scale, for an integer world; without it the cube holds the mesh, and the points `contains`, "
+      "(P, 3) of float32, such\n"
+      "as where rays begin. `nodes` and `order` are a hierarchy of your own. Threads may share a scene, "
+      "and move it.\n"
+      "`threads` of a call: 0 is one for each core.")
+      .def(py::init<const py::object&, const py::object&, const std::string&, const py::object&,
+                    const py::object&, const py::object&, const py::object&, int>(),
            py::arg("corners"), py::arg("triangles"), py::arg("world") = "float", py::kw_only(),
            py::arg("transform") = py::none(), py::arg("nodes") = py::none(), py::arg("order") = py::none(),
-           py::arg("threads") = 0)
+           py::arg("contains") = py::none(), py::arg("threads") = 0)
       .def_property_readonly("info", &PythonScene::info, "A hitpipe.SceneInfo.", py::keep_alive<0, 1>())
       .def("move", &PythonScene::move, py::arg("corners"), py::kw_only(), py::arg("threads") = 0,
            "New places for all corners; the triangles stay.")
@@ -247,7 +237,10 @@ void add_scene(py::module_& m) {
       .def("all", &PythonScene::all, py::arg("rays"), py::kw_only(), py::arg("threads") = 0,
            "All crossings of each ray: hitpipe.Crossings.")
       .def("inside", &PythonScene::inside, py::arg("points"), py::kw_only(), py::arg("threads") = 0,
-           "Whether each point, (P, 3) of float32, is inside the closed mesh: bool, (P,).")
+           "Whether each point, (P, 3) of float32, is inside the closed mesh: bool, (P,). Inside is the\n"
+           "even-odd rule: a ray from there crosses the mesh an odd number of times. So what two\n"
+           "overlapping solids share is not inside. Of an oriented mesh, count().sides of rays without an\n"
+           "end are winding numbers: where no solid is turned, `!= 0` tells what is in any of them.")
       .def("integer_rays", &PythonScene::integer_rays, py::arg("rays"),
            "Rays as the traversal core's integer door takes them: hitpipe.integer_rays_dtype, (N,).")
       .def("core_image", &PythonScene::core_image, "The bytes that the traversal core reads from memory.");

@@ -12,15 +12,19 @@
 
 namespace hitpipe::python {
 
-[[nodiscard]] inline Transform transform_of(const py::dict& given) {
-  if (!given.contains("offset") || !given.contains("scale"))
-    throw Refusal(
-        "transform: a dict of offset, three numbers, and scale is needed, as hitpipe.fit() gives it");
-  Transform transform{};
-  const auto offset = given["offset"].cast<std::array<double, 3>>();
-  std::copy(offset.begin(), offset.end(), transform.offset);
-  transform.scale = given["scale"].cast<double>();
-  return transform;
+[[nodiscard]] inline Transform transform_of(const py::object& given) {
+  try {
+    if (py::isinstance<py::dict>(given) && given.contains("offset") && given.contains("scale")) {
+      Transform transform{};
+      const auto offset = given["offset"].cast<std::array<double, 3>>();
+      std::copy(offset.begin(), offset.end(), transform.offset);
+      transform.scale = given["scale"].cast<double>();
+      return transform;
+    }
+  } catch (const py::cast_error&) {
+    PyErr_Clear();
+  }
+  throw Refusal("transform: a dict of offset, three numbers, and scale is needed, as hitpipe.fit() gives it");
 }
 
 [[nodiscard]] inline py::dict dict_of(const Transform& transform) {

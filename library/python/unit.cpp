@@ -9,6 +9,7 @@
 #include "library/python/arrays.hpp"
 #include "library/python/module.hpp"
 #include "library/python/names.hpp"
+#include "library/python/working.hpp"
 
 namespace hitpipe::python {
 
@@ -61,7 +62,7 @@ class PythonUnit {
       out.results = results.mutable_data();
       all.results = results;
     }
-    const py::gil_scoped_release others_run;
+    const Working others_run;
     const std::scoped_lock alone(one_thread_);
     check(hitpipe_test_pairs(own_.handle(), own_rays.first, own_boxes.first, tests, &out));
     return all;
@@ -71,7 +72,7 @@ class PythonUnit {
     const auto given = operands_of(operands, own_.ports().size());
     auto results = table<std::int64_t>(given.count, own_.results().size());
     std::int64_t* const out = results.mutable_data();
-    const py::gil_scoped_release others_run;
+    const Working others_run;
     const std::scoped_lock alone(one_thread_);
     check(hitpipe_test_operands(own_.handle(), given.first, given.count, out));
     return results;
@@ -98,7 +99,7 @@ class PythonUnit {
   }
 
   Unit own_;
-  std::mutex one_thread_;
+  std::recursive_mutex one_thread_;  ///< a signal's handler may use it, too, in the thread that has it
 };
 
 /// A port outlives its unit, which owns the name that C gives.

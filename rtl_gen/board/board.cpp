@@ -33,7 +33,7 @@ CoreOptions core_of(const nlohmann::ordered_json& json) {
   core.address_bits = json.at("address_bits").get<int>();
   core.byte_bits = core.address_bits + 5;
   core.tag_bits = 8;
-  core.triangle_interval = 0;
+  core.serial_triangle = true;
   core.clock_ps = json.at("clock_ps").get<int>();
   core.block_rams = json.at("block_rams").get<int>();
   return core;

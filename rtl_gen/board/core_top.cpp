@@ -16,7 +16,6 @@
 #include "rtl_gen/board/serial_line.hpp"
 #include "rtl_gen/board/top.hpp"
 #include "rtl_gen/core/axi.hpp"
-#include "rtl_gen/core/wires.hpp"
 #include "rtl_gen/machine/module.hpp"
 
 namespace hitpipe::rtl {
@@ -92,10 +91,10 @@ std::string instance_of(const ModuleInterface& inside, const std::string& name,
 }  // namespace
 
 std::vector<Port> board_ray_ports(const Core& core) {
-  return named(ray_ports(core), "ray_");
+  return named(records_of(core).ray.ports, "ray_");
 }
 std::vector<Port> board_hit_ports(const Core& core) {
-  return named(hit_ports(core), "hit_");
+  return named(records_of(core).hit.ports, "hit_");
 }
 
 std::string core_identity(const Core& core) {
@@ -120,7 +119,7 @@ std::size_t board_blocks(const Core& core) {
 
 std::string core_board_top(const Core& core, int clocks_per_bit) {
   const CoreOptions& options = core.options;
-  if (options.door != Door::integer || options.tag_bits != board_tag_bits ||
+  if (!core.place_of(hls::channels::ray_error) || options.tag_bits != board_tag_bits ||
       options.byte_bits != options.address_bits + 5)
     throw std::logic_error("a core on a board takes integers, tags of eight bits and blocks of its memory");
   const std::vector<Port> fields = board_ray_ports(core), hit = board_hit_ports(core);

@@ -31,7 +31,7 @@ bool take(std::string_view& text, std::string_view start) {
 std::string spelled(const FormatFamily& family, const FormatNumbers& numbers) {
   std::string text;
   for (std::size_t i = 0; i < family.fields.size(); ++i)
-    if (!family.fields[i].optional || numbers[i] != 0)
+    if (!family.fields[i].optional || numbers[i] != family.usual[i])
       text += fmt::format("{}{}", family.fields[i].before, numbers[i]);
   return text;
 }
@@ -74,8 +74,9 @@ std::optional<FormatNumbers> FormatFamily::parse(std::string_view text) const {
   FormatNumbers numbers{};
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!take(text, fields[i].before)) {
-      if (fields[i].optional) continue;
-      return std::nullopt;
+      if (!fields[i].optional) return std::nullopt;
+      numbers[i] = usual[i];
+      continue;
     }
     if (!take(text, numbers[i])) return std::nullopt;
   }
@@ -86,15 +87,14 @@ std::string FormatFamily::type(const FormatNumbers& numbers) const {
   if (type_name == nullptr)
     throw std::runtime_error(fmt::format("bits {}: no type that is known to a compiler", print(numbers)));
   auto count = std::ssize(fields);
-  while (count > 0 && fields[static_cast<std::size_t>(count - 1)].optional &&
-         numbers[static_cast<std::size_t>(count - 1)] == 0)
-    --count;  // the template has a default
+  const auto is_default = [&](std::size_t i) { return fields[i].optional && numbers[i] == usual[i]; };
+  while (count > 0 && is_default(static_cast<std::size_t>(count - 1))) --count;
   return fmt::format("{}<{}>", type_name, fmt::join(numbers.begin(), numbers.begin() + count, ", "));
 }
 
 bool FormatFamily::within_limits(const FormatNumbers& numbers) const {
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (fields[i].optional && numbers[i] == 0) continue;
+    if (fields[i].optional && numbers[i] == usual[i]) continue;
     if (numbers[i] < fields[i].least || numbers[i] > fields[i].most) return false;
   }
   return true;

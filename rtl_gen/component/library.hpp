@@ -52,6 +52,7 @@ struct Block {
   /// Whether one block multiplies operands of these widths. If one operand is signed, the other is read as
   /// signed with a zero above it.
   [[nodiscard]] bool multiplies(int a, bool a_signed, int b, bool b_signed) const;
+  friend bool operator==(const Block&, const Block&) = default;
 };
 
 /// What a programmable chip has: lookup tables, carry chains, registers and multiplier blocks, each with its
@@ -84,6 +85,7 @@ struct Chip {
   [[nodiscard]] int gate_luts(int bits) const { return rounded_up(bits * gate_luts_pct); }
   [[nodiscard]] int mux_luts(int bits) const { return rounded_up(bits * mux_luts_pct); }
   [[nodiscard]] int carry_luts(int bits) const { return rounded_up(bits * carry_luts_pct); }
+  friend bool operator==(const Chip&, const Chip&) = default;
 
  private:
   [[nodiscard]] static int rounded_up(int percent) { return (percent + 99) / 100; }
@@ -118,6 +120,7 @@ struct Cell {
   int ripple_ps = 0;       ///< of the delay: from the lowest bit to the highest, along a carry chain
   int subtrahend_ps = 0;   ///< what the second operand takes more, unless a table makes it
   ChipCells taken{};
+  friend bool operator==(const Cell&, const Cell&) = default;
 };
 
 /// A target of FuseSoC that synthesises for the library's chip.
@@ -126,6 +129,7 @@ struct SynthesisTarget {
   std::string description;
   std::string flow;     ///< of Edalize
   std::string options;  ///< of the flow: a JSON object, which is YAML too
+  friend bool operator==(const SynthesisTarget&, const SynthesisTarget&) = default;
 };
 
 /// Delay and stages above the widest row of the file.
@@ -177,12 +181,14 @@ class Library {
   [[nodiscard]] const std::vector<SynthesisTarget>& synthesis_targets() const { return synthesis_targets_; }
   /// Where the figures come from, in the words of the file; may be empty.
   [[nodiscard]] const std::string& source() const { return source_; }
+  friend bool operator==(const Library&, const Library&) = default;
 
  private:
   struct Family {
     Above above = Above::same;
     AreaLaw area = AreaLaw::linear;
     std::vector<Cell> cells;
+    friend bool operator==(const Family&, const Family&) = default;
   };
   [[nodiscard]] const Family& family(Component component) const {
     return families_[static_cast<std::size_t>(component)];

@@ -56,6 +56,7 @@ static inline const char* core_read_image(struct core_image* image, const uint8_
     return "the image has leaves with more triangles than the core can count";
   const uint64_t all = (uint64_t)image->blocks * CORE_BLOCK_BYTES;
   if (all > size || all < CORE_HEADER_BYTES) return "the image is cut";
+  if (all % CORE_LINE_BYTES != 0) return "the image does not end where a line does";
   const uint64_t before = core_hash(0xcbf29ce484222325u, bytes, 104);
   if (core_hash(before, bytes + 112, all - 112) != core_get(bytes + 104, 8))
     return "the image was changed or half written";

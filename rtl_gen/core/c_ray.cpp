@@ -174,7 +174,7 @@ std::string text_of_constants(const hls::RayBits& bits) {
 }  // namespace
 
 std::string c_ray(const Core& core) {
-  const bool takes_floats = core.options.door == Door::binary32;
+  const bool takes_floats = core.options.float_door;
   std::string text(text_of_checks);
   if (!takes_floats) text += text_of_constants(core.options.bits) + std::string(text_of_integers);
   return text.append(text_of_head)

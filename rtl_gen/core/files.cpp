@@ -10,8 +10,10 @@
 
 #include "rtl_gen/core/axi.hpp"
 #include "rtl_gen/core/c_header.hpp"
+#include "rtl_gen/core/feature.hpp"
 #include "rtl_gen/core/picture.hpp"
-#include "rtl_gen/core/wires.hpp"
+#include "rtl_gen/core/registers.hpp"
+#include "rtl_gen/core/system_rdl.hpp"
 #include "rtl_gen/emit/fusesoc.hpp"
 #include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/emit/manifest.hpp"
@@ -21,16 +23,13 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// Outputs beside a valid bit mean nothing without it, and weights nothing without a hit.
-std::string meaning_of(std::string_view output) {
-  const auto is_output = [&](const CorePin& pin) { return pin.name == output; };
-  if (std::any_of(pins::weights.begin(), pins::weights.end(), is_output))
-    return "want_hit_valid && want_hit_failed == 3'd0 && want_hit_number != 32'hffffffff";
-  if (output == hls::channels::asks_triangle.name()) return "want_asks";
-  for (const std::string_view channel : {"hit", "request", "read", "fetch", "store", "put"})
-    if (output.substr(0, output.find('_')) == channel && !output.ends_with("_valid"))
-      return fmt::format("want_{}_valid", channel);
-  return "";
+/// Outputs of a channel mean nothing without its valid bit.
+std::string meaning_of(const Core& core, const CorePort& output) {
+  if (!output.meaning.empty()) return output.meaning;
+  const std::string valid = output.pin.name.substr(0, output.pin.name.find('_')) + "_valid";
+  const bool has = std::ranges::any_of(
+      core.ports, [&](const CorePort& port) { return !port.pin.is_input && port.pin.name == valid; });
+  return has && output.pin.name != valid ? "want_" + valid : "";
 }
 
 CycleTest test_of(const Core& core, std::vector<MachineCycle> cycles) {
@@ -43,7 +42,7 @@ CycleTest test_of(const Core& core, std::vector<MachineCycle> cycles) {
     if (port.pin.is_input)
       test.inputs.push_back({port.pin.name, port.pin.width});
     else
-      test.outputs.push_back({port.pin.name, port.pin.width, meaning_of(port.pin.name)});
+      test.outputs.push_back({port.pin.name, port.pin.width, meaning_of(core, port)});
   }
   return test;
 }
@@ -77,22 +76,22 @@ Json manifest_of(const Core& core, const Library& library) {
     wires.push_back({end(wire.from, wire.output), end(wire.to, wire.input)});
   }
   Json json = module_json(options.bits, core.interface());
-  json.update({{"rays", options.rays},
-               {"door", door_name(options.door)},
-               {"stack", 1 << options.stack_bits},
-               {"levels", options.levels},
-               {"address_bits", options.address_bits},
-               {"tag_bits", options.tag_bits},
-               {"triangle_ii", options.triangle_interval},
-               {"cache_kib", options.cache_kib},
-               {"rings", options.rings},
-               {"library", library.name()},
+  json.update(options_json(options));
+  json.update({{"library", library.name()},
                {"clock_ps", core.clock_ps},
                {"axi", axi_json(core)},
+               {"registers", registers_json(core_registers(options))},
                {"ports", ports_json(core.interface())},
                {"parts", parts},
                {"wires", wires}});
   return json;
+}
+
+std::vector<FuseSoc::File> harness_sources(const Core& core) {
+  std::vector<FuseSoc::File> sources;
+  for (const host::File& file : system_program(core))
+    sources.push_back({file.name, "cppSource", file.name.ends_with(".hpp")});
+  return sources;
 }
 
 std::string fusesoc_text(const Core& core, const Library& library) {
@@ -106,9 +105,11 @@ std::string fusesoc_text(const Core& core, const Library& library) {
   file.filesets.push_back(
       {"header",
        fmt::format("    files: [{}.h: {{is_include_file: true}}]\n    file_type: cSource\n", module)});
-  file.add_test("tb", module + "_tb.sv", "systemVerilogSource", module + "_vectors.hex");
-  file.add_test("harness", axi + "_harness.cpp", "cppSource", module + "_scene.txt");
-  file.targets.push_back({"default", "Verilog and C header of the core", {"rtl", "axi", "header"}, axi});
+  file.filesets.push_back({"registers", fmt::format("    files: [{}.rdl]\n    file_type: user\n", module)});
+  file.add_test("tb", {{"tb/" + module + "_tb.sv", "systemVerilogSource"}}, module + "_vectors.hex");
+  file.add_test("harness", harness_sources(core), module + "_scene.txt");
+  file.targets.push_back(
+      {"default", "Verilog, C header and registers of the core", {"rtl", "axi", "header", "registers"}, axi});
   file.add_lint({"rtl", "axi"}, axi);
   file.add_simulations({"rtl"}, module + "_tb");
   file.add_harness({"rtl", "axi", "header", "harness"}, axi);
@@ -136,14 +137,16 @@ std::vector<host::File> core_files(const Core& core, const Library& library, Cor
   std::vector<host::File> files{{core.module + ".v", to_verilog(core, library)},
                                 {axi_module(core) + ".v", axi_verilog(core)},
                                 {core.module + ".h", c_header(core)},
+                                {core.module + ".rdl", system_rdl(core)},
                                 {core.module + ".json", manifest_of(core, library).dump(2) + "\n"},
                                 {core.module + ".core", fusesoc_text(core, library)},
-                                {core.module + ".dot", to_dot(core)},
+                                {core.module + ".dot", core_picture(core)},
+                                {axi_module(core) + ".dot", axi_picture(core)},
                                 {"tb/" + core.module + "_tb.sv", testbench_text(cycles)},
                                 {"tb/" + core.module + "_vectors.hex", vectors_text(cycles)},
-                                {"tb/" + axi_module(core) + "_harness.cpp", system_program(core)},
                                 {"tb/" + core.module + "_scene.txt", scene_text(core, test.scene)},
                                 {"tb/Makefile", testbench_makefile()}};
+  for (host::File& file : system_program(core)) files.push_back(std::move(file));
   std::size_t unit = 0;
   for (const Part& part : core.parts)
     if (part.pipeline && unit < test.units.size()) add_unit_test(files, part, test.units[unit++]);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host/files.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "rtl_gen/graph/word.hpp"
 
@@ -15,7 +16,7 @@ namespace hitpipe::rtl {
 /// What the program loads: the blocks of an image, and rays with their answers.
 struct CoreScene {
   struct Ray {
-    std::vector<Word> fields;  ///< in the order of ray_ports()
+    std::vector<Word> fields;  ///< in the order of records_of().ray.ports
     /// Of the nearest triangle, or the next one that is crossed; without one all ones, and the ray's length. Of count
     /// the answer.
     std::uint64_t number, t;
@@ -27,8 +28,9 @@ struct CoreScene {
   std::vector<Ray> rays;
 };
 
-/// tb/MODULE_axi_harness.cpp
-[[nodiscard]] std::string system_program(const Core& core);
+/// The folder tb/MODULE_axi_harness: the files of rtl_gen/core/harness, which are the same for every core, and
+/// core.hpp, by which they know the core. The main function is in harness.cpp.
+[[nodiscard]] std::vector<host::File> system_program(const Core& core);
 /// tb/MODULE_scene.txt
 [[nodiscard]] std::string scene_text(const Core& core, const CoreScene& scene);
 

@@ -89,8 +89,8 @@ std::string core_file(const Unit& unit, const Wrappers& around) {
                           : !slots.empty()  ? slots
                           : around.fifo     ? fifo_module(module)
                                             : module;  // the outermost
-  core.add_test("tb", top + "_tb.sv", "systemVerilogSource", module + "_vectors.hex");
-  core.add_test("harness", module + "_harness.cpp", "cppSource", module + "_vectors.hex");
+  core.add_test("tb", {{"tb/" + top + "_tb.sv", "systemVerilogSource"}}, module + "_vectors.hex");
+  core.add_test("harness", {{"tb/" + module + "_harness.cpp", "cppSource"}}, module + "_vectors.hex");
   core.targets.push_back({"default", "Verilog of the unit and its wrappers", sources, top});
   core.add_lint(sources, top);
   core.add_simulations(sources, top + "_tb", defines);

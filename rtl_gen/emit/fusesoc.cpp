@@ -12,11 +12,14 @@ void FuseSoc::add_verilog(const std::string& fileset, const std::string& module)
   filesets.push_back({fileset, fmt::format("    files: [{}.v]\n    file_type: verilogSource\n", module)});
 }
 
-void FuseSoc::add_test(const std::string& fileset, const std::string& file, const std::string& type,
+void FuseSoc::add_test(const std::string& fileset, const std::vector<File>& sources,
                        const std::string& vectors) {
-  filesets.push_back({fileset, fmt::format("    files:\n      - tb/{}: {{file_type: {}}}\n"
-                                           "      - tb/{}: {{file_type: user, copyto: {}}}\n",
-                                           file, type, vectors, vectors)});
+  std::string files = "    files:\n";
+  for (const File& source : sources)
+    files += fmt::format("      - {}: {{file_type: {}{}}}\n", source.name, source.type,
+                         source.is_included ? ", is_include_file: true" : "");
+  files += fmt::format("      - tb/{}: {{file_type: user, copyto: {}}}\n", vectors, vectors);
+  filesets.push_back({fileset, files});
 }
 
 void FuseSoc::add_lint(const std::vector<std::string>& sources, const std::string& top) {

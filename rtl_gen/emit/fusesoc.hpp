@@ -13,6 +13,11 @@ struct FuseSoc {
     std::string name;
     std::string files;  ///< lines of YAML that say which, and of what type
   };
+  /// `type` is of FuseSoC. What others include is not compiled by itself.
+  struct File {
+    std::string name, type;
+    bool is_included = false;
+  };
   struct Target {
     std::string name, description;
     std::vector<std::string> filesets;
@@ -27,10 +32,8 @@ struct FuseSoc {
 
   /// MODULE.v.
   void add_verilog(const std::string& fileset, const std::string& module);
-  /// A file beside the Verilog or in tb/, and a file of vectors, which is copied to where a simulator runs and
-  /// looks for it.
-  void add_test(const std::string& fileset, const std::string& file, const std::string& type,
-                const std::string& vectors);
+  /// Sources, and a file of vectors in tb/, which is copied to where a simulator runs and looks for it.
+  void add_test(const std::string& fileset, const std::vector<File>& sources, const std::string& vectors);
 
   /// Targets lint, sim (Icarus) and sim_verilator, and those of the library that synthesise. `defines` are
   /// words of both simulators' command lines.

@@ -17,10 +17,10 @@ std::string_view comment_sign(const std::filesystem::path& file) {
     std::string_view ending, sign;
   };
   static constexpr std::array kinds{
-      Kind{".v", "//"},   Kind{".sv", "//"},    Kind{".h", "//"},  Kind{".hpp", "//"}, Kind{".cpp", "//"},
-      Kind{".hex", "//"}, Kind{".dot", "//"},   Kind{".txt", "#"}, Kind{".core", "#"}, Kind{".tcl", "#"},
-      Kind{".sh", "#"},   Kind{".cfg", "#"},    Kind{".ys", "#"},  Kind{".pcf", "#"},  Kind{".xdc", "#"},
-      Kind{".lpf", "#"},  Kind{"Makefile", "#"}};
+      Kind{".v", "//"},   Kind{".sv", "//"},  Kind{".h", "//"},     Kind{".hpp", "//"}, Kind{".cpp", "//"},
+      Kind{".hex", "//"}, Kind{".rdl", "//"}, Kind{".dot", "//"},   Kind{".txt", "#"},  Kind{".core", "#"},
+      Kind{".tcl", "#"},  Kind{".sh", "#"},   Kind{".cfg", "#"},    Kind{".ys", "#"},   Kind{".pcf", "#"},
+      Kind{".xdc", "#"},  Kind{".lpf", "#"},  Kind{"Makefile", "#"}};
   const std::string ending = file.has_extension() ? file.extension().string() : file.filename().string();
   for (const Kind& kind : kinds)
     if (kind.ending == ending) return kind.sign;

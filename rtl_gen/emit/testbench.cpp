@@ -1,37 +1,23 @@
 #include "rtl_gen/emit/testbench.hpp"
 
-#include <algorithm>
-#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "rtl_gen/emit/axi_stream.hpp"
-#include "rtl_gen/emit/result_fifo.hpp"
+#include "rtl_gen/emit/embedded_files.hpp"
+#include "rtl_gen/emit/testbench_pins.hpp"
 
 namespace hitpipe::rtl {
 
 namespace {
 
-/// The bits of a word, or its only bit.
-std::string part_of(const std::string& word, int high, int low) {
-  return high == low ? fmt::format("{}[{}]", word, low) : fmt::format("{}[{}:{}]", word, high, low);
-}
-
-/// The bits of each port in a word that holds them all, the last port lowest.
-std::vector<std::string> fields(const std::string& word, const std::vector<Port>& ports, int width) {
-  std::vector<std::string> all;
-  for (const Port& port : ports) {
-    all.push_back(part_of(word, width - 1, width - port.width));
-    width -= port.width;
-  }
-  return all;
-}
-
 /// What the testbench's text has for each result.
 struct ResultText {
   ResultText(const std::vector<Port>& ports, const char* word) {
-    const std::vector<std::string> expected = fields(word, ports, total_width(ports));
+    const std::vector<std::string> expected = bits_of_ports(word, ports, total_width(ports));
     for (std::size_t i = 0; i < ports.size(); ++i) {
       const std::string& name = ports[i].name;
       if (ports[i].width == 1) {
@@ -136,72 +122,6 @@ struct FlowText {
   std::string constants, more;
 };
 
-/// Port names with what they are connected to.
-using Wires = std::map<std::string, std::string>;
-
-/// What stands behind ".": the pins of the outermost module, each with its wire.
-struct Tested {
-  std::string module;
-  std::string test_pins, result_pins, data_pins;
-  std::string wires;  ///< declarations beyond those of a unit
-};
-
-/// A beat of a stream: each port on a byte boundary, the first one lowest. Padding is 1, because nothing may
-/// read it.
-std::string beat(const std::vector<Port>& ports, const Wires& wires) {
-  std::vector<std::string> parts;  // highest first
-  for (const Port& port : ports) {
-    parts.insert(parts.begin(), wires.at(port.name));
-    const int padding = (8 - port.width % 8) % 8;
-    if (padding > 0) parts.insert(parts.begin(), fmt::format("{{{}{{1'b1}}}}", padding));
-  }
-  return fmt::format("{{{}}}", fmt::join(parts, ", "));
-}
-
-/// `wires` are those of the operands, of slots and of ray_end_only.
-Tested tested(const ModuleInterface& unit, const Wrappers& around, const Wires& wires) {
-  const ModuleInterface inner = around.slots != nullptr ? around.slots->interface
-                                : around.fifo           ? fifo_interface(unit)
-                                                        : unit;
-  const auto wire = [&](const Pin& pin) {
-    if (pin.channel == tests_channel && pin.role == Pin::Role::tag) return std::string("sent[15:0]");
-    const auto found = wires.find(pin.name);
-    return found == wires.end() ? pin.name : found->second;
-  };
-  if (!around.axi_stream) {
-    return {inner.module,
-            around.slots != nullptr ? inner.control_connections({"", "ray", tests_channel}, wire)
-                                    : inner.control_connections({"", tests_channel}, wire),
-            inner.control_connections({results_channel}, wire), inner.data_connections(wire), ""};
-  }
-  const ModuleInterface stream = stream_interface(unit, around.slots);
-  std::vector<std::string> unused;
-  std::string results = fmt::format("  wire [{}:0] result_beat;\n", stream_bits(unit.results()) - 1);
-  for (const StreamField& field : stream_fields(unit.results())) {
-    const int high = field.offset + field.width - 1;
-    results += fmt::format("  assign {} = {};\n", field.name, part_of("result_beat", high, field.offset));
-    if ((high + 1) % 8 != 0) unused.push_back(part_of("result_beat", (high / 8 + 1) * 8 - 1, high + 1));
-  }
-  if (!unused.empty())
-    results += fmt::format("  wire unused = &{{1'b0, {}}};  // padding\n", fmt::join(unused, ", "));
-  const auto stream_wire = [&](const Pin& pin) -> std::string {
-    if (pin.role == Pin::Role::clock) return "clk";
-    if (pin.role == Pin::Role::reset) return "~rst";
-    if (pin.channel == "m_axis")
-      return pin.role == Pin::Role::data  ? "result_beat"
-             : pin.role == Pin::Role::tag ? "out_tag"
-                                          : "out_" + pin.name.substr(sizeof("m_axis_t") - 1);
-    const bool of_ray = pin.channel == "s_axis_ray";
-    if (pin.role == Pin::Role::data) return beat(inner.data(of_ray ? "ray" : tests_channel), wires);
-    if (pin.role == Pin::Role::tag) return "sent[15:0]";
-    return (of_ray ? "ray_" : "in_") + pin.name.substr(pin.channel.size() + 2);
-  };
-  return {stream.module,
-          around.slots != nullptr ? stream.control_connections({"", "s_axis_ray", "s_axis"}, stream_wire)
-                                  : stream.control_connections({"", "s_axis"}, stream_wire),
-          stream.control_connections({"m_axis"}, stream_wire), stream.data_connections(stream_wire), results};
-}
-
 /// What writes the ray of each vector to a slot, before its test goes in or at the same edge. Where rays have
 /// ends of their own, some rays are first written with another end, and then their end alone.
 std::string ray_writer(const RaySlots& slots, int width) {
@@ -230,50 +150,9 @@ std::string ray_writer(const RaySlots& slots, int width) {
            : "      written = written + 1;\n");
 }
 
-}  // namespace
-
-std::string testbench(const ModuleInterface& unit, int count, int latency, const Wrappers& around) {
-  const RaySlots* const slots = around.slots;
-  const std::vector<Port> ports = unit.operands();
-  const int result_width = total_width(unit.results());
-  const int width = total_width(ports) + result_width;
-  const ResultText result(unit.results(), "expected");
-  const bool ready = unit.flow_control() == FlowControl::stall || around.fifo || around.axi_stream;
-  const FlowText flow(ready, ready || unit.interval > 1 || slots != nullptr, slots != nullptr,
-                      around.axi_stream, slots != nullptr ? slots->latency(latency) : latency, unit.interval);
-  const std::string in_time =
-      fmt::format("cycles < {} * COUNT{} + 1000", 16 * unit.interval, ready ? " + 16 * STILL_CYCLES" : "");
-  Wires wires;
-  const std::vector<std::string> operands = fields("operands", ports, width);
-  for (std::size_t i = 0; i < ports.size(); ++i) wires[ports[i].name] = operands[i];
-  if (slots != nullptr) {
-    const std::vector<std::string> of_ray = fields("ray", ports, width);
-    const auto among = [](const std::vector<Port>& some, const std::string& name) {
-      return std::any_of(some.begin(), some.end(), [&](const Port& port) { return port.name == name; });
-    };
-    for (std::size_t i = 0; i < ports.size(); ++i) {
-      if (among(slots->line, ports[i].name))
-        wires[ports[i].name] = slots->end.empty()
-                                   ? of_ray[i]
-                                   : fmt::format("{} ^ {{{}{{end_only}}}}", of_ray[i], ports[i].width);
-      if (among(slots->end, ports[i].name))
-        wires[ports[i].name] = fmt::format("{} ^ {{{}{{partial}}}}", of_ray[i], ports[i].width);
-    }
-    wires["ray_end_only"] = "end_only";
-    wires["ray_slot"] = fmt::format("written[{}:0]", slots->slot_bits - 1);
-    wires["in_slot"] = fmt::format("sent[{}:0]", slots->slot_bits - 1);
-  }
-  const Tested top = tested(unit, around, wires);
-  std::string sendable = "COUNT";
-  std::string ray_valid;
-  if (slots != nullptr) {
-    // A test may come at the edge at which its ray is written; then it waits for a cycle.
-    sendable = fmt::format("written + {{31'd0, ray_valid{}}}", slots->end.empty() ? "" : " && !partial");
-    ray_valid = fmt::format(
-        "      ray_valid = {}written != COUNT && written - sent < SLOTS && random[15:12] != 4'd0;\n",
-        around.axi_stream ? "(ray_valid && !wrote) || " : "");
-  }
-  const std::string compare = fmt::format(
+/// Lines that compare results and tag.
+std::string comparison(const ResultText& result) {
+  return fmt::format(
       R"(        if ({} || out_tag !== received[15:0]) begin
           $display("FAIL vector %0d (%h): {}tag %0d", received, vectors[received],
                    {}out_tag);
@@ -281,14 +160,48 @@ std::string testbench(const ModuleInterface& unit, int count, int latency, const
         end
 )",
       fmt::join(result.differences, " || "), result.formats, result.values);
-  const bool is_plain = slots == nullptr && !around.fifo && !around.axi_stream;
-  const char* const takes = ready && is_plain && unit.interval == 1
-                                ? R"(      if (in_ready !== (out_ready || !out_valid)) begin
-        $display("FAIL cycle %0d: in_ready %b, out_ready %b, out_valid %b", cycles, in_ready, out_ready, out_valid);
-        $fatal(1);
-      end
-)"
-                                : "";
+}
+
+/// The files that are the same for all units, one after the other.
+std::string shared_text(const std::string& module) {
+  constexpr std::string_view place = "MODULE";
+  std::string text;
+  for (const EmbeddedFile& file : testbench_files()) text += file.text;
+  for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at + module.size()))
+    text.replace(at, place.size(), module);
+  return text;
+}
+
+/// A testbench in the order of its text.
+struct Bench {
+  Bench(const ModuleInterface& of, int vectors, int latency, const Wrappers& wrappers)
+      : unit(of),
+        count(vectors),
+        around(wrappers),
+        width(total_width(of.operands()) + total_width(of.results())),
+        ready(of.flow_control() == FlowControl::stall || wrappers.fifo || wrappers.axi_stream),
+        result(of.results(), "expected"),
+        flow(ready, ready || of.interval > 1 || slots != nullptr, slots != nullptr, wrappers.axi_stream,
+             slots != nullptr ? slots->latency(latency) : latency, of.interval),
+        top(tested(of, wrappers, wires_of(of.operands(), width, slots))) {}
+
+  [[nodiscard]] std::string head() const;
+  [[nodiscard]] std::string begins() const;
+  [[nodiscard]] std::string loop() const;
+
+  const ModuleInterface& unit;
+  const int count;
+  const Wrappers& around;
+  const RaySlots* const slots = around.slots;
+  const int width;
+  const bool ready;
+  const ResultText result;
+  const FlowText flow;
+  const Tested top;
+};
+
+/// Up to the outermost module.
+std::string Bench::head() const {
   return fmt::format(
       R"(// Replays {module}_vectors.hex against {top}.v with random gaps{stalls}. Compares every result and
 // every tag. Prints PASS, or FAIL with the reason; $fatal then makes the exit code of the simulator non-zero.
@@ -319,55 +232,23 @@ module {top}_tb;
 {data_pins}
   );
 
-  // Unlike $readmemh, this sees every damage of the file, and sees the same in every simulator.
-  task read_vectors;
-    integer file, length, line, found;
-    reg in_comment;
-    reg [8*(DIGIT_COUNT+1)-1:0] text;
-    reg [8*DIGIT_COUNT-1:0] digits;
-    reg [BITS-1:0] vector;
-    begin
-      file = $fopen("{module}_vectors.hex", "r");
-      if (file == 0) begin
-        $display("FAIL {module}_vectors.hex: cannot be opened");
-        $fatal(1);
-      end
-      line = 1; found = 0; in_comment = 1'b0;
-      length = $fgets(text, file);
-      while (length != 0) begin
-        if (text[8*(length-1) +: 8] == "/") in_comment = 1'b1;
-        if (!in_comment && length > 1) begin
-          // A good line is the one that %h writes for its number.
-          if ($sscanf(text, "%h", vector) != 1) vector = {{BITS{{1'b0}}}};
-          $sformat(digits, "%h", vector);
-          if (text != {{digits, 8'h0a}} || ^vector === 1'bx) begin
-            $display("FAIL {module}_vectors.hex, line %0d: not %0d lower-case hexadecimal digits of %0d bits",
-                     line, DIGIT_COUNT, BITS);
-            $fatal(1);
-          end
-          if (found < COUNT) vectors[found] = vector;
-          found = found + 1;
-        end
-        if (text[7:0] == 8'h0a) begin
-          in_comment = 1'b0;
-          line = line + 1;
-        end
-        length = $fgets(text, file);
-      end
-      $fclose(file);
-      if (found != COUNT) begin
-        $display("FAIL {module}_vectors.hex: %0d vectors, expected %0d", found, COUNT);
-        $fatal(1);
-      end
-    end
-  endtask
+)",
+      fmt::arg("module", unit.module), fmt::arg("top", top.module),
+      fmt::arg("stalls", flow.only_with_ready(" and stalls")),
+      fmt::arg("library", top.module == unit.module ? "" : "-y .. "), fmt::arg("count", count),
+      fmt::arg("width", width), fmt::arg("result_width", total_width(unit.results())),
+      fmt::arg("constants", flow.constants), fmt::arg("out_ready", flow.only_with_ready(", out_ready")),
+      fmt::arg("more", flow.more), fmt::arg("in_ready", flow.waits ? "in_ready, " : ""),
+      fmt::arg("result_bits", result.bits), fmt::arg("result_wires", result.wires + top.wires),
+      fmt::arg("ray_writer", slots != nullptr ? ray_writer(*slots, width) : ""),
+      fmt::arg("test_pins", top.test_pins), fmt::arg("result_pins", top.result_pins),
+      fmt::arg("data_pins", top.data_pins));
+}
 
-  initial begin
-    clk = 1'b0;
-    forever #5 clk = ~clk;
-  end
-
-  // Values change at the falling edge; {seen} are seen as they stand before the rising edge.
+/// The first cycles.
+std::string Bench::begins() const {
+  return fmt::format(
+      R"(  // Values change at the falling edge; {seen} are seen as they stand before the rising edge.
   initial begin
     if ($value$plusargs("waves=%s", waves)) begin
       $dumpfile(waves);
@@ -378,7 +259,39 @@ module {top}_tb;
     read_vectors;
     repeat (4) @(negedge clk);
     rst = 1'b0;
-    while ({running}) begin
+)",
+      fmt::arg("seen", flow.ready ? "handshakes" : "results"), fmt::arg("top", top.module),
+      fmt::arg("no_out_ready", flow.only_with_ready(" out_ready = 1'b0;")),
+      fmt::arg("nothing_due", flow.ready ? "" : " due = 0; idle = 0;"),
+      fmt::arg("nothing_written", slots == nullptr ? ""
+                                  : slots->end.empty()
+                                      ? " ray_valid = 1'b0; written = 0;"
+                                      : " ray_valid = 1'b0; partial = 1'b0; end_only = 1'b0; written = 0;"));
+}
+
+/// A cycle, and the end.
+std::string Bench::loop() const {
+  const std::string in_time =
+      fmt::format("cycles < {} * COUNT{} + 1000", 16 * unit.interval, ready ? " + 16 * STILL_CYCLES" : "");
+  std::string sendable = "COUNT";
+  std::string ray_valid;
+  if (slots != nullptr) {
+    // A test may come at the edge at which its ray is written; then it waits for a cycle.
+    sendable = fmt::format("written + {{31'd0, ray_valid{}}}", slots->end.empty() ? "" : " && !partial");
+    ray_valid = fmt::format(
+        "      ray_valid = {}written != COUNT && written - sent < SLOTS && random[15:12] != 4'd0;\n",
+        around.axi_stream ? "(ray_valid && !wrote) || " : "");
+  }
+  const bool is_plain = slots == nullptr && !around.fifo && !around.axi_stream;
+  const char* const takes = ready && is_plain && unit.interval == 1
+                                ? R"(      if (in_ready !== (out_ready || !out_valid)) begin
+        $display("FAIL cycle %0d: in_ready %b, out_ready %b, out_valid %b", cycles, in_ready, out_ready, out_valid);
+        $fatal(1);
+      end
+)"
+                                : "";
+  return fmt::format(
+      R"(    while ({running}) begin
       // Gaps{stalls} are the same in every simulator.
       random = random ^ (random << 13);
       random = random ^ (random >> 17);
@@ -393,30 +306,21 @@ module {top}_tb;
   end
 endmodule
 )",
-      fmt::arg("module", unit.module), fmt::arg("top", top.module),
-      fmt::arg("library", top.module == unit.module ? "" : "-y .. "),
-      fmt::arg("ray_writer", slots != nullptr ? ray_writer(*slots, width) : ""),
-      fmt::arg("nothing_written", slots == nullptr ? ""
-                                  : slots->end.empty()
-                                      ? " ray_valid = 1'b0; written = 0;"
-                                      : " ray_valid = 1'b0; partial = 1'b0; end_only = 1'b0; written = 0;"),
-      fmt::arg("held", around.axi_stream ? "(in_valid && !taken) || " : ""), fmt::arg("sendable", sendable),
-      fmt::arg("full", flow.only_with_ready("      full = cycles / STILL_CYCLES % 8 == 1;\n")),
-      fmt::arg("offers", ready ? "(full || random[9:8] != 2'd0)" : "random[9:8] != 2'd0"),
-      fmt::arg("ray_valid", ray_valid), fmt::arg("count", count), fmt::arg("width", width),
-      fmt::arg("result_width", result_width), fmt::arg("result_bits", result.bits),
-      fmt::arg("result_wires", result.wires + top.wires), fmt::arg("test_pins", top.test_pins),
-      fmt::arg("result_pins", top.result_pins), fmt::arg("data_pins", top.data_pins),
-      fmt::arg("stalls", flow.only_with_ready(" and stalls")), fmt::arg("constants", flow.constants),
-      fmt::arg("more", flow.more), fmt::arg("out_ready", flow.only_with_ready(", out_ready")),
-      fmt::arg("in_ready", flow.waits ? "in_ready, " : ""),
-      fmt::arg("seen", flow.ready ? "handshakes" : "results"),
-      fmt::arg("no_out_ready", flow.only_with_ready(" out_ready = 1'b0;")),
-      fmt::arg("nothing_due", flow.ready ? "" : " due = 0; idle = 0;"),
       fmt::arg("running", flow.ready   ? "received != COUNT && " + in_time
                           : flow.waits ? "idle != SILENT_CYCLES && " + in_time
                                        : "idle != SILENT_CYCLES"),
-      fmt::arg("drive", flow.drive(compare, takes)));
+      fmt::arg("stalls", flow.only_with_ready(" and stalls")), fmt::arg("ray_valid", ray_valid),
+      fmt::arg("full", flow.only_with_ready("      full = cycles / STILL_CYCLES % 8 == 1;\n")),
+      fmt::arg("held", around.axi_stream ? "(in_valid && !taken) || " : ""), fmt::arg("sendable", sendable),
+      fmt::arg("offers", ready ? "(full || random[9:8] != 2'd0)" : "random[9:8] != 2'd0"),
+      fmt::arg("drive", flow.drive(comparison(result), takes)));
+}
+
+}  // namespace
+
+std::string testbench(const ModuleInterface& unit, int count, int latency, const Wrappers& around) {
+  const Bench bench(unit, count, latency, around);
+  return bench.head() + shared_text(unit.module) + "\n" + bench.begins() + bench.loop();
 }
 
 }  // namespace hitpipe::rtl

@@ -12,7 +12,9 @@ std::string testbench_makefile() {
 # A unit in a wrapper has a testbench for each wrapper too; the C++ program drives the unit itself. Of a core it is a small system.
 # With WAVES=vcd or WAVES=fst each of them writes waves in that format. UNITS=NAME takes one unit of several.
 UNITS := $(patsubst %_tb.sv,%,$(wildcard *_tb.sv))
-BARE := $(filter $(UNITS) $(UNITS:%=%_axi),$(patsubst %_harness.cpp,%,$(wildcard *_harness.cpp)))
+# A core's program has a folder of its own.
+HARNESS = $(or $(wildcard $(1)_harness/harness.cpp),$(wildcard $(1)_harness.cpp))
+BARE := $(foreach module,$(UNITS) $(UNITS:%=%_axi),$(and $(call HARNESS,$(module)),$(module)))
 IVERILOG := iverilog
 VVP := vvp
 VERILATOR := verilator
@@ -55,8 +57,8 @@ $(UNITS:%=verilator-%): verilator-%:
 
 $(BARE:%=harness-%): harness-%:
 	@mkdir -p $(call BUILD,harness)
-	@cp $*_harness.cpp $(wildcard ../*.h) $(call BUILD,harness)
-	$(COMPILE) $(call BUILD,harness) --cc --exe --build --top-module $* -y .. ../$*.v $*_harness.cpp
+	@cp -R $(wildcard $*_harness.cpp $*_harness ../*.h) $(call BUILD,harness)
+	$(COMPILE) $(call BUILD,harness) --cc --exe --build --top-module $* -y .. ../$*.v $(call HARNESS,$*)
 	$(call BUILD,harness)/V$*
 
 clean:

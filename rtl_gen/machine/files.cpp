@@ -47,7 +47,7 @@ std::string core_file(const Part& part, const Library& library) {
   FuseSoc core{.name = "machine:" + module,
                .description = fmt::format("{} at {}", part.machine->summary, to_string(part.format))};
   core.add_verilog("rtl", module);
-  core.add_test("tb", module + "_tb.sv", "systemVerilogSource", module + "_vectors.hex");
+  core.add_test("tb", {{"tb/" + module + "_tb.sv", "systemVerilogSource"}}, module + "_vectors.hex");
   core.targets.push_back({"default", "Verilog of the machine", {"rtl"}, module});
   core.add_lint({"rtl"}, module);
   core.add_simulations({"rtl"}, module + "_tb");

@@ -164,6 +164,9 @@ std::string to_verilog(const MachineGraph& machine, const MachineModule& options
   for (const hls::Field& field : machine.state)
     text += fmt::format("  reg {}{};{}\n", vector_range(field.width), field.name,
                         field.has_reset ? fmt::format("  // {} after a reset", field.reset) : "");
+  for (const hls::Field& field : machine.state)
+    if (field.has_start)
+      text += fmt::format("  initial {} = {}'d0;  // for simulators\n", field.name, field.width);
   if (!machine.memories.empty()) text += "\n  // Memories.\n";
   for (const hls::MemoryShape& memory : machine.memories) {
     const bool late = memory.is_late();

@@ -71,12 +71,12 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
   inputs_[at_[most_steps]] = options.most_steps;
   inputs_[at_[most_rays]] =
       static_cast<Word>(options.unruly ? (core.options.rays + 3) / 4 : core.options.rays);
-  if (core.options.has_cache()) {
-    bus_.emplace(image.blocks, core.options, options.unruly, options.seed);
+  if (core.bus.has_lines) {
+    bus_.emplace(image.blocks, core.bus, options.unruly, options.seed);
     inputs_[at_[most_lines]] = static_cast<Word>(options.most_lines);
     inputs_[at_[lets_asks]] = 1;
   }
-  if (core.options.rings) {
+  if (at_.has(ray_begins)) {
     RingBusOptions rings{.unruly = options.unruly, .seed = options.seed};
     // A ray that cannot be read has another answer.
     if (options.wild_percent > 0) rings.error_percent = 2;
@@ -137,7 +137,10 @@ void CoreBench::change_settings() {
 std::vector<Word> CoreBench::fields_of(const CoreJob& job) {
   std::vector<Word> fields = ray_fields(core_, job);
   const int wild = options_.wild_percent;
-  if (wild > 0 && random_.below(100) < static_cast<std::uint64_t>(wild)) spoil(fields);
+  if (wild == 0 || random_.below(100) >= static_cast<std::uint64_t>(wild)) return fields;
+  spoil(fields);
+  // The weights of a count mean nothing.
+  if (has_questions(core_) && has_weights(core_)) fields[1] = 0;
   return fields;
 }
 
@@ -150,7 +153,7 @@ Word CoreBench::tag_of(std::size_t place, std::size_t places) {
 void CoreBench::check_alive(bool asks, bool asked, bool answers) {
   still_ = asks || answers ? 0 : still_ + 1;
   blocks_ = answers ? 0 : blocks_ + (asked ? 1 : 0);
-  if (still_ > most_still_)
+  if (still_ > most_still_ && !(rings_ && rings_->has_failed()))
     throw std::logic_error(
         fmt::format("the core stands still: {} cycles without a request or an answer", still_));
   if (blocks_ > most_blocks_)
@@ -359,7 +362,7 @@ std::optional<std::size_t> CoreBench::World::answer() {
   CoreAnswer given{.hit = {.triangle = static_cast<std::uint32_t>(out(at[Hits::number])),
                            .t = static_cast<std::int64_t>(out(at[Hits::t]))},
                    .failed = static_cast<hls::Failure>(out(at[Hits::failed]))};
-  if (bench_.core_.options.weights) given.weights = bench_.weights();
+  if (has_weights(bench_.core_)) given.weights = bench_.weights();
   take(tag, given);
   --flying_;
   return tag;

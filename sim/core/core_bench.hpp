@@ -46,6 +46,15 @@ struct CoreAnswer {
   std::optional<CoreWeights> weights{};  ///< of a core that gives them
 };
 
+/// Rays may want crossings.
+[[nodiscard]] inline bool has_questions(const rtl::Core& core) {
+  return core.place_of(hls::channels::ray_once).has_value();
+}
+/// Answers say where in its triangle a ray hits.
+[[nodiscard]] inline bool has_weights(const rtl::Core& core) {
+  return core.place_of(hls::weights::HitDet::high).has_value();
+}
+
 /// The job's ray as the core is given it: the ports ray_any to ray_length or ray_len, in their order. Throws
 /// as ref::int_ray() does where the core takes integers. What is none has a length of NaN where it takes floats.
 [[nodiscard]] std::vector<rtl::Word> ray_fields(const rtl::Core& core, const CoreJob& job);
@@ -91,6 +100,8 @@ class CoreBench {
   /// share that is done, 0 to 1, from time to time.
   void run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
            const std::function<void(double)>& progress = {});
+  /// Of the T of an answer.
+  [[nodiscard]] int answer_bits() const { return core_.answer_bits(); }
   /// Of all runs.
   [[nodiscard]] const CoreCounts& counts() const { return counts_; }
   /// With a cache of the core's own, requests are its rays', hits and merged ones are the cache's.

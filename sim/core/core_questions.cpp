@@ -80,7 +80,7 @@ void Asking::count(const QuestionOptions& options) {
     ++trace.counts;
     const ref::IntHit& hit = answers[i].hit;
     const auto sides =
-        static_cast<std::int64_t>(rtl::number_of(static_cast<rtl::Word>(hit.t), scene_.bits.distance()));
+        static_cast<std::int64_t>(rtl::number_of(static_cast<rtl::Word>(hit.t), bench_.answer_bits()));
     judge(!answers[i].failed && hit.triangle == count.crossings && sides == count.sides);
     if (!options.closed || !rays_[i].is_infinite() || exact_.is_inside(ray.origin).value_or(true)) continue;
     ++trace.outside;

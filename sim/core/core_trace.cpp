@@ -27,12 +27,18 @@ CoreTrace& CoreTrace::operator+=(const CoreTrace& later) {
 
 namespace {
 
+/// Of its unit; nothing if a machine tests triangles.
+std::optional<int> triangle_interval(const rtl::Core& core) {
+  for (const rtl::Part& part : core.parts)
+    if (part.name == "triangle") return part.pipeline->interval();
+  return std::nullopt;
+}
+
 /// What a bench has done so far.
 CoreTrace traced_by(const rtl::Core& core, const CoreBench& bench) {
   return {.rays_in_flight = core.options.rays,
           .clock_ps = core.clock_ps,
-          .triangle_interval =
-              core.options.serial() ? std::nullopt : std::optional(core.options.triangle_interval),
+          .triangle_interval = triangle_interval(core),
           .counts = bench.counts(),
           .memory = bench.memory_counts()};
 }
@@ -52,7 +58,7 @@ CoreTrace trace_core(const rtl::Core& core, rtl::NativeMachine& machine, const r
   trace.same_reads = trace.counts.records == picture.work.nodes_loaded &&
                      trace.counts.triangles == picture.work.triangles_loaded;
   trace.restarts = picture.restarts;
-  if (core.options.questions) {
+  if (has_questions(core)) {
     std::vector<ref::Ray> rays;
     for (const CoreJob& job : picture.jobs) rays.push_back(job.ray);
     trace.questions = trace_questions(bench, picture.scene(), rays);

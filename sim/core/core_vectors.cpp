@@ -67,7 +67,7 @@ rtl::CoreScene::Ray asked(const rtl::Core& core, const CoreJob& job, const ref::
   const ref::IntRay ray = ref::int_ray(job.ray, world);
   const ref::TriangleNumbers numbers(mesh.mesh);
   ref::IntHit best{.triangle = ref::IntHit::none, .t = ray.length};
-  std::vector<std::uint64_t> weights(core.options.weights ? 6 : 0);
+  std::vector<std::uint64_t> weights(has_weights(core) ? 6 : 0);
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto crossing = ref::int_crossing(ray, mesh.triangles[i], world);
     if (!crossing || !ref::keep_better(crossing->t, numbers.of_source(i), best) || weights.empty()) continue;
@@ -105,11 +105,11 @@ rtl::CoreScene::Ray asked_once(const rtl::Core& core, const CoreJob& job, const 
     const std::pair place{crossing->t, spread(numbers.of_source(i))};
     if (place >= std::pair{job.from_t, job.from_number}) next = std::min(next, place);
   }
-  const auto bits_of_t = static_cast<std::uint64_t>(rtl::ones_below(world.distance()));
+  const auto bits_of_t = static_cast<std::uint64_t>(rtl::ones_below(core.answer_bits()));
   return {.fields = ray_fields(core, job),
           .number = job.any ? count : next.second,
           .t = static_cast<std::uint64_t>(job.any ? sides : next.first) & bits_of_t,
-          .weights = std::vector<std::uint64_t>(core.options.weights ? 6 : 0)};
+          .weights = std::vector<std::uint64_t>(has_weights(core) ? 6 : 0)};
 }
 
 /// How many blocks the core reads for it. A ray reads one after the other, so this depends on no timing.
@@ -143,7 +143,7 @@ rtl::CoreScene scene_with_answers(const rtl::Core& core, const Traced& mesh,
   // Software does not say how often a tie is tested. Alone in the core, a ray reads as much as among others.
   NativeCore alone(core);
   std::optional<CoreBench> bench;
-  if (core.options.questions) bench.emplace(core, alone, image, MemoryOptions{});
+  if (has_questions(core)) bench.emplace(core, alone, image, MemoryOptions{});
   std::optional<CoreJob> behind;  // a ray walks from crossing to crossing
   const auto most_steps = static_cast<std::uint64_t>(rtl::ones_below(core.options.step_bits));
   while (scene.rays.size() < 1000) {
@@ -236,10 +236,12 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
         options.levels - 1, random);
   });
   // Half of the rays want crossings, if they may: count, or the next one behind a place.
+  bool is_cycle = true;
   const auto with_a_question = [&](CoreJob made) {
-    if (!options.questions || random.below(2) == 0) return made;
+    if (!has_questions(core) || random.below(2) == 0) return made;
     made.once = true;
-    made.any = random.below(2) == 0;
+    // The weights of a count mean nothing, so cycles with one could not be compared.
+    made.any = random.below(2) == 0 && (!has_weights(core) || !is_cycle);
     if (random.below(2) == 0) {
       made.from_t =
           static_cast<std::int64_t>(random.bits() % static_cast<rtl::Word>(world.largest_distance()));
@@ -307,7 +309,7 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
       {4,
        small.image,
        lattice_job,
-       {.least_latency = 1, .most_latency = 20, .error_percent = 5},
+       {.least_latency = 1, .most_latency = 20, .error_percent = 20},
        {.most_steps = 5, .gap_percent = 90}},
       {4,
        small.image,
@@ -331,7 +333,8 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
 
   // These begin at odd places too, where a tie moves the origin down. Those of the lattice are even.
   std::vector<ref::IntRay> at_edges;
-  if (options.questions) at_edges = ref::edge_rays(mesh.scene.mesh, world, random.bits(), 0, 1000);
+  if (has_questions(core)) at_edges = ref::edge_rays(mesh.scene.mesh, world, random.bits(), 0, 1000);
+  is_cycle = false;
   const auto scene_job = [&]() -> CoreJob {
     if (!at_edges.empty() && random.coin())
       return with_a_question({ref::binary32_ray(at_edges[random.below(at_edges.size())], world)});

@@ -23,10 +23,9 @@ struct BusBeat {
 
 class LineBus {
  public:
-  /// `blocks` must outlive it, and so must the core's options. If `mingles`, beats have gaps, and where requests have
+  /// `blocks` must outlive it, and so must the core. If `mingles`, beats have gaps, and where requests have
   /// identifiers, beats of several lines mingle.
-  LineBus(std::span<const ref::CoreBlock> blocks, const rtl::CoreOptions& core, bool mingles,
-          std::uint64_t seed);
+  LineBus(std::span<const ref::CoreBlock> blocks, const rtl::CoreBus& bus, bool mingles, std::uint64_t seed);
 
   /// A line that memory gives in this cycle.
   void take(const MemoryAnswer& line);
@@ -44,7 +43,7 @@ class LineBus {
   void choose();
 
   std::span<const ref::CoreBlock> blocks_;
-  const rtl::CoreOptions& core_;
+  const rtl::CoreBus& bus_;
   bool mingles_;
   ref::adversary::Random random_;
   std::vector<Line> lines_;  ///< the oldest first

@@ -227,8 +227,9 @@ std::optional<MemoryAnswer> MemoryModel::answer() {
   if (request.block < blocks_.size()) built.block = blocks_[request.block];
   if (options_.error_percent > 0 && errors_.below(100) < static_cast<std::uint64_t>(options_.error_percent)) {
     built.error = true;
-    // Of the right kind, so that nothing but the error tells.
-    for (std::size_t word = 0; word + 1 < built.block.size(); ++word) built.block[word] ^= errors_.bits();
+    // Of the right kind, or all right, so that nothing but the error tells.
+    const std::size_t changed = errors_.coin() ? 0 : built.block.size() - 1;
+    for (std::size_t word = 0; word < changed; ++word) built.block[word] ^= errors_.bits();
   }
   requests_.give_back(place);
   ++counts_.answers;

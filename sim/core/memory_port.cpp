@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "host/text.hpp"
+#include "rtl_gen/core/feature.hpp"
 #include "sw_ref/core/core_image.hpp"
 #include "sw_ref/memory/line_cache.hpp"
 #include "sw_ref/scene/json_place.hpp"
@@ -160,15 +161,16 @@ MemoryPort memory_port(const std::string& text) {
 
 MemoryOptions memory_behind(const MemoryPort& port, const rtl::CoreOptions& core) {
   constexpr auto block = static_cast<int>(ref::core_block_bytes);
-  const int line = core.has_cache() ? core.cache_line : static_cast<int>(ref::CacheShape{}.line_bytes);
+  const rtl::CoreBus bus = rtl::bus_of(core);
+  const int line = bus.has_lines ? bus.burst_bits / 8 : static_cast<int>(ref::CacheShape{}.line_bytes);
   const auto interval = [&](int bytes) {
-    const int beats = (8 * bytes + core.data_bits - 1) / core.data_bits;
+    const int beats = (8 * bytes + bus.data_bits - 1) / bus.data_bits;
     return std::max(port.cycles_of(bytes), beats);
   };
   return {.least_latency = port.least_latency,
           .most_latency = port.most_latency,
-          .in_order = core.has_one_id(),
-          .reads_lines = core.has_cache(),
+          .in_order = bus.has_one_id,
+          .reads_lines = bus.has_lines,
           .interval = interval(block),
           .line_interval = interval(line),
           .line_bytes = line,

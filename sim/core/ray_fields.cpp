@@ -16,10 +16,10 @@ using rtl::Word;
 std::vector<Word> ray_fields(const rtl::Core& core, const CoreJob& job) {
   const auto flag = [](bool is) -> Word { return is ? 1 : 0; };
   std::vector<Word> fields{flag(job.any)};
-  if (core.options.questions)
+  if (has_questions(core))
     for (const Word of_question : {flag(job.once), static_cast<Word>(job.from_t), Word{job.from_number}})
       fields.push_back(of_question);
-  if (core.options.door == rtl::Door::binary32) {
+  if (!core.place_of(hls::channels::ray_error)) {
     for (const glm::vec3& vector : {job.ray.origin, job.ray.direction})
       for (int axis = 0; axis < 3; ++axis) fields.push_back(std::bit_cast<std::uint32_t>(vector[axis]));
     const float length = job.none ? std::numeric_limits<float>::quiet_NaN() : job.ray.length;

@@ -24,7 +24,7 @@ RingBus::RingBus(const rtl::Core& core, const RingBusOptions& options)
       options_(options),
       at_(core),
       random_(options.seed),
-      beat_words_(static_cast<std::size_t>(core.options.ring_bits()) / 64),
+      beat_words_(at_.has(fetched_1) ? 2 : 1),
       rays_at_(random_.bits() & rtl::ones_below(core.options.byte_bits - 7)),
       answers_at_(random_.bits() & rtl::ones_below(core.options.byte_bits - 7)),
       rays_(std::min(most_places, std::uint64_t{1} << (core.options.byte_bits - 5))),
@@ -47,15 +47,18 @@ void RingBus::show(std::span<Word> inputs) {
   inputs[at_[rays_at]] = rays_at_;
   inputs[at_[answers_at]] = answers_at_;
   inputs[at_[ring_last]] = rays_.size() - 1;
-  inputs[at_[rays_offered]] = offered_ & rtl::ones_below(ring_count_bits);
-  inputs[at_[lets_rings]] = 1;
+  // Behind an answer that could not be written any number is offered.
+  inputs[at_[rays_offered]] = (failed_ ? random_.bits() : offered_) & rtl::ones_below(ring_count_bits);
+  inputs[at_[lets_fetches]] = one_in(8) ? 0 : 1;
+  inputs[at_[lets_rings]] = one_in(16) ? 0 : 1;
   inputs[at_[fetch_ready]] = one_in(4) ? 0 : 1;
   inputs[at_[store_ready]] = one_in(4) ? 0 : 1;
   inputs[at_[put_ready]] = one_in(4) ? 0 : 1;
   const bool stored = stored_due_ && *stored_due_ <= cycle_;
   inputs[at_[stored_valid]] = stored ? 1 : 0;
   if (!stored && options_.unruly) inputs[at_[stored_error]] = random_.bits() & 1;
-  if (stored) inputs[at_[stored_error]] = one_in(64) ? 1 : 0;
+  failed_ |= stored && cycle_ > calm_cycles && one_in(4);
+  if (stored) inputs[at_[stored_error]] = failed_ ? 1 : 0;
   shown_ = !reads_.empty() && reads_.front().due <= cycle_ && !one_in(4);
   inputs[at_[fetched_valid]] = shown_ ? 1 : 0;
   const auto words = std::span(inputs).subspan(at_[fetched_0], beat_words_);

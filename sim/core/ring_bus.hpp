@@ -21,7 +21,8 @@ namespace hitpipe::sim {
 struct RingBusOptions {
   int latency =
       20;  ///< cycles from a request to its first beat, and from the last beat to its answer, 1 or more
-  bool unruly = false;    ///< requests are refused, beats have gaps, latencies differ, at random
+  /// Requests are refused, beats have gaps, latencies differ, at random. After some time an answer cannot be written.
+  bool unruly = false;
   int error_percent = 0;  ///< of all bursts, 0..100
   std::uint64_t seed = 1;
 };
@@ -49,8 +50,11 @@ class RingBus {
   void step(std::span<const rtl::Word> inputs, std::span<const rtl::Word> outputs);
   /// The oldest answer that the host has not taken.
   [[nodiscard]] std::optional<RingAnswer> take();
+  /// An answer could not be written, so the core stands still.
+  [[nodiscard]] bool has_failed() const { return failed_; }
 
  private:
+  static constexpr std::uint64_t calm_cycles = 700;
   using Words = std::array<std::uint64_t, 4>;
   struct Read {
     std::uint64_t place;  ///< of the first 8 bytes, in words of 8
@@ -74,7 +78,8 @@ class RingBus {
   std::uint64_t offered_ = 0, taken_ = 0, in_memory_ = 0, cycle_ = 0;
   std::uint64_t on_their_way_ = 0;
   std::deque<Read> reads_;
-  bool shown_ = false;                     ///< a beat
+  bool shown_ = false;  ///< a beat
+  bool failed_ = false;
   std::optional<std::uint64_t> store_at_;  ///< where what is put goes, in words of 8
   std::vector<std::uint64_t> put_;
   bool put_all_ = false;

@@ -52,9 +52,9 @@ class Part {
          .referee = frame_.options.referee});
     const double start = host::thread_seconds();
     unit.run([&] { return next(counts); },
-             [&](const RayJob& job, const ref::Hit& hit) {
-               traced_.push_back({job.ray, job.query, hit.triangle});
-               ended(job.id, hit.triangle);
+             [&](const RayJob& job, const RayAnswer& answer) {
+               traced_.push_back({job.ray, job.query, tasks_[job.id].pixel, answer});
+               ended(job.id, answer.hit.triangle);
              });
     counts.loop_seconds = host::thread_seconds() - start;
     counts.rtl_seconds = unit.rtl_seconds();
@@ -68,7 +68,8 @@ class Part {
   struct Traced {
     ref::Ray ray;
     ref::Query query;
-    std::uint32_t triangle;
+    std::uint32_t pixel;  ///< or its number in the list
+    RayAnswer answer;
   };
 
   std::optional<RayJob> next(CosimResult& counts) {
@@ -107,12 +108,28 @@ class Part {
     free_ids_.push_back(id);
   }
 
-  void compare(CosimResult& counts) const {
-    for (const Traced& t : traced_) {
-      const ref::Hit hit =
-          ref::trace<ref::ConservativeSlabs>(frame_.bvh, frame_.scene.mesh, t.ray, t.query, counts.reference);
-      counts.different_triangles += ref::same_answer(t.query, t.triangle, hit.triangle) ? 0 : 1;
+  void compare(CosimResult& counts) {
+    std::ranges::stable_sort(traced_, {}, &Traced::pixel);
+    for (auto first = traced_.begin(); first != traced_.end();) {
+      const auto last =
+          std::find_if(first, traced_.end(), [&](const Traced& t) { return t.pixel != first->pixel; });
+      compare_pixel({first, last}, counts);
+      first = last;
     }
+  }
+  void compare_pixel(std::span<const Traced> rays, CosimResult& counts) const {
+    std::uint64_t box_tests = 0, triangle_tests = 0;
+    ref::TraceCounts reference;
+    for (const Traced& t : rays) {
+      const ref::Hit hit =
+          ref::trace<ref::ConservativeSlabs>(frame_.bvh, frame_.scene.mesh, t.ray, t.query, reference);
+      counts.different_triangles += ref::same_answer(t.query, t.answer.hit.triangle, hit.triangle) ? 0 : 1;
+      box_tests += t.answer.box_tests;
+      triangle_tests += t.answer.triangle_tests;
+    }
+    counts.extra_box_tests.add(box_tests, reference.box_tests);
+    counts.extra_triangle_tests.add(triangle_tests, reference.triangle_tests);
+    counts.reference += reference;
   }
 
   const Frame& frame_;
@@ -222,6 +239,8 @@ CosimResult cosimulate(const VerilatedDesign& verilated, const ref::Scene& scene
     result.different_triangles += part.different_triangles;
     result.unit += part.unit;
     result.reference += part.reference;
+    result.extra_box_tests += part.extra_box_tests;
+    result.extra_triangle_tests += part.extra_triangle_tests;
     result.rtl_seconds += part.rtl_seconds;
     result.loop_seconds += part.loop_seconds;
   }

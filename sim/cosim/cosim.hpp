@@ -12,6 +12,7 @@
 
 #include "sim/cosim/counts.hpp"
 #include "sim/operands/ray_list.hpp"
+#include "sw_ref/judge/interval.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/trace/tracer.hpp"
 
@@ -51,6 +52,8 @@ struct CosimResult {
   std::uint64_t different_triangles = 0;  ///< another closest triangle, or another answer of a shadow ray
   UnitCounts unit;
   ref::TraceCounts reference;  ///< by software, for the same rays and hierarchy
+  /// Tests above the reference's. The rays of a pixel are a group, and so is a ray of a list.
+  ref::ExtraWork extra_box_tests, extra_triangle_tests;
   int latency = 0;
   int interval = 1;  ///< a test may begin every so many cycles
   /// Time for the cycles of the Verilog alone, estimated from samples (sim/cosim/sampled_time.hpp). 0 when

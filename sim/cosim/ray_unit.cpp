@@ -16,13 +16,17 @@ class RayUnit::World {
 
   void start(std::size_t place, const RayJob& job) {
     places_[place].job = job;
+    places_[place].box_tests = 0;
     places_[place].walk.emplace(walk_.start(*unit_.rays_, place, job.ray, job.query));
     unit_.station_.start(place);
   }
   [[nodiscard]] bool done(std::size_t place) const { return places_[place].walk->done(); }
   [[nodiscard]] bool idle() const { return unit_.station_.idle(); }
   [[nodiscard]] const RayJob& job(std::size_t place) const { return places_[place].job; }
-  [[nodiscard]] const auto& walk(std::size_t place) const { return *places_[place].walk; }
+  [[nodiscard]] RayAnswer answer(std::size_t place) const {
+    const auto& walk = *places_[place].walk;
+    return {walk.hit(), places_[place].box_tests, walk.counts().triangle_tests};
+  }
 
   void ask(std::size_t place) {
     unit_.station_.ask(place, [&](std::size_t ray, std::int64_t* operands) { write(ray, operands); });
@@ -40,16 +44,18 @@ class RayUnit::World {
  private:
   struct Place {
     RayJob job;
+    std::uint64_t box_tests = 0;
     std::optional<typename Walk::Traversal> walk;
   };
 
   void write(std::size_t place, std::int64_t* operands) const {
     Walk::ask(*unit_.rays_, place, *places_[place].walk, operands);
   }
-  void judge(const Place& place, const std::int64_t* results) {
+  void judge(Place& place, const std::int64_t* results) {
     UnitCounts& counts = unit_.judged_;
     walk_.each_box(*place.walk, results, [&](const ref::Aabb& box, bool hit) {
       ++counts.box_tests;
+      ++place.box_tests;
       counts.hits += hit ? 1 : 0;
       if (!unit_.options_.referee) return;
       ref::Ray ray = place.job.ray;
@@ -78,14 +84,15 @@ UnitCounts RayUnit::counts() const {
 }
 
 void RayUnit::run(const std::function<std::optional<RayJob>()>& next,
-                  const std::function<void(const RayJob&, const ref::Hit&)>& ended) {
+                  const std::function<void(const RayJob&, const RayAnswer&)>& ended) {
   with_walk({options_.feed, options_.bvh, options_.mesh}, options_.verilated->results(),
             [&]<class Walk>(const Walk& walk) {
               World<Walk> world(*this, walk);
               run_rays(world, static_cast<std::size_t>(options_.rays_in_flight), next,
                        [&](std::size_t place) {
-                         judged_.triangle_tests += world.walk(place).counts().triangle_tests;
-                         ended(world.job(place), world.walk(place).hit());
+                         const RayAnswer answer = world.answer(place);
+                         judged_.triangle_tests += answer.triangle_tests;
+                         ended(world.job(place), answer);
                        });
             });
 }

@@ -24,6 +24,12 @@ struct RayJob {
   std::uint32_t id = 0;
 };
 
+/// What became of it.
+struct RayAnswer {
+  ref::Hit hit;
+  std::uint64_t box_tests = 0, triangle_tests = 0;
+};
+
 class RayUnit {
  public:
   struct Options {
@@ -43,7 +49,7 @@ class RayUnit {
   /// Runs until `next` has no more rays and all have ended. `ended` may make new rays for `next` to hand out.
   /// Throws WrongHardware when the Verilog loses a box test.
   void run(const std::function<std::optional<RayJob>()>& next,
-           const std::function<void(const RayJob&, const ref::Hit&)>& ended);
+           const std::function<void(const RayJob&, const RayAnswer&)>& ended);
 
   [[nodiscard]] UnitCounts counts() const;
   [[nodiscard]] double rtl_seconds() const { return station_.rtl_seconds(); }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "rtl_gen/core/feature.hpp"
 #include "sim/fit/world_search.hpp"
 
 namespace hitpipe::sim {
@@ -16,6 +17,13 @@ namespace {
 std::string boxes_text(const hls::RayBits& bits) {
   return fmt::format("/{}", bits.mantissa) +
          (bits.box_fraction == 0 ? "" : fmt::format("f{}", bits.box_fraction));
+}
+
+/// By what the coordinates' bits were chosen.
+std::string error_text(const CoreFit& fit) {
+  const ref::Share& worst = fit.taken()->worst();
+  return fmt::format("{} of {} rays differ, at most {:.2g} % (95 %)", worst.part, worst.whole,
+                     worst.percent_interval().high);
 }
 
 }  // namespace
@@ -58,9 +66,7 @@ std::vector<CoreCut> cuts_of(const CoreFit& fit, const CoreFitOptions& options, 
   };
   if (!(was.bits.world() == is.bits.world()))
     cut(fmt::format("coordinates {} of {}", text_of(is.bits.world()), text_of(was.bits.world())),
-        options.fixed.world
-            ? "as asked"
-            : fmt::format("at most {:g} % of the rays find another triangle", options.error_pct),
+        options.fixed.world ? "as asked" : error_text(fit),
         [&](rtl::CoreOptions& core) { core.bits = with_world(is.bits, was.bits.world()); });
   const auto number = [&](const char* what, int rtl::CoreOptions::*field, bool fixed, std::string why) {
     if (is.*field == was.*field) return;
@@ -98,15 +104,14 @@ std::vector<CoreCut> cuts_of(const CoreFit& fit, const CoreFitOptions& options, 
                               : options.goal == CoreGoal::rate ? "most rays a second"
                                                                : "no rate is asked for";
   number("rays in flight", &rtl::CoreOptions::rays, fixed.rays, by_rate);
-  const auto interval = [](int cycles) {
-    return cycles == 0 ? std::string("serial") : std::to_string(cycles);
+  const auto option = [&](const char* what, const char* name, bool is_fixed) {
+    const rtl::CoreOption& of = rtl::core_option(name);
+    if (of.get(is) != of.get(was))
+      cut(fmt::format("{}: {} of {}", what, of.text(of.get(is)), of.text(of.get(was))),
+          is_fixed ? "as asked" : by_rate, [&](rtl::CoreOptions& core) { of.set(core, of.get(was)); });
   };
-  if (is.triangle_interval != was.triangle_interval)
-    cut(fmt::format("cycles a triangle: {} of {}", interval(is.triangle_interval),
-                    interval(was.triangle_interval)),
-        fixed.triangles ? "as asked" : by_rate,
-        [&](rtl::CoreOptions& core) { core.triangle_interval = was.triangle_interval; });
-  number("KiB of the cache", &rtl::CoreOptions::cache_kib, fixed.cache, by_rate);
+  option("cycles a triangle", "--triangle-ii", fixed.triangles);
+  option("KiB of the cache", "--cache", fixed.cache);
   if (is.clock_ps != was.clock_ps)
     cut(fmt::format("a clock of {} ps", is.clock_ps.value_or(0)),
         options.core.clock_ps ? "as asked" : by_rate,

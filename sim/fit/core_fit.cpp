@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "rtl_gen/core/feature.hpp"
 #include "sim/core/core_trace.hpp"
 #include "sim/core/native_core.hpp"
 #include "sim/fit/core_cuts.hpp"
@@ -131,39 +132,42 @@ class Search {
     descend([](rtl::CoreOptions& core) { return --core.stack_bits >= 1; });
   }
 
+  static constexpr int serial = 0;  // what the option has in place of cycles
+  const rtl::CoreOption& interval_option_ = rtl::core_option("--triangle-ii");
+  const rtl::CoreOption& cache_option_ = rtl::core_option("--cache");
+
   // Rays in flight, interval and cache. A core that does not reach the rate rules out all that have less of
   // everything.
   struct Size {
     int rays, interval, cache;
     [[nodiscard]] bool within(const Size& other) const {
-      const auto speed = [](int cycles) { return cycles == 0 ? 1000 : cycles; };
+      const auto speed = [](int cycles) { return cycles == serial ? 1000 : cycles; };
       return rays <= other.rays && speed(interval) >= speed(other.interval) && cache <= other.cache;
     }
     [[nodiscard]] bool within_any(const std::vector<Size>& others) const {
       return std::any_of(others.begin(), others.end(), [&](const Size& other) { return within(other); });
     }
   };
-  std::vector<Size> all_sizes() const {
+  std::vector<Size> all_sizes() {
     const CoreFixed& fixed = options_.fixed;
     const rtl::CoreOptions& core = fit_.core;
     const auto or_own = [](bool is_fixed, int own, const std::vector<int>& all) {
       return is_fixed ? std::vector{own} : all;
     };
-    const bool units_only = core.weights || core.questions;
-    std::vector<int> intervals{0, 24, 16, 8, 6, 4, 3};
-    if (units_only) intervals.erase(intervals.begin());
     std::vector<Size> sizes;
     for (const int rays : or_own(fixed.rays, core.rays, {2, 4, 8, 16, 32, 64, 128, 256}))
-      for (const int interval : or_own(fixed.triangles, core.triangle_interval, intervals))
-        for (const int cache : or_own(fixed.cache, core.cache_kib, options_.caches))
+      for (const int interval :
+           or_own(fixed.triangles, interval_option_.get(core), {serial, 24, 16, 8, 6, 4, 3}))
+        for (const int cache : or_own(fixed.cache, cache_option_.get(core), options_.caches))
           sizes.push_back({rays, interval, cache});
+    std::erase_if(sizes, [&](const Size& size) { return !rtl::is_core(with(size)); });
     return sizes;
   }
   rtl::CoreOptions with(const Size& size) {
     rtl::CoreOptions core = fit_.core;
     core.rays = size.rays;
-    core.triangle_interval = size.interval;
-    core.cache_kib = size.cache;
+    interval_option_.set(core, size.interval);
+    cache_option_.set(core, size.cache);
     if (!options_.fixed.tag_bits) core.tag_bits = std::max(core.ray_bits(), 1);
     return core;
   }
@@ -248,15 +252,15 @@ class Search {
   rtl::CoreOptions whole_ = fit_.core;  ///< with the usual boxes and stack
 };
 
-/// With the features that the user chose.
+/// With all that the user chose and no fit does.
 rtl::CoreOptions default_core(const rtl::CoreOptions& chosen) {
   rtl::CoreOptions core;
-  core.door = chosen.door;
-  core.rings = chosen.rings;
-  core.weights = chosen.weights;
-  core.questions = chosen.questions;
-  core.data_bits = chosen.data_bits;
-  core.in_order = chosen.in_order;
+  for (const rtl::Feature* const feature : rtl::all_features())
+    for (const rtl::CoreOption& option : feature->options)
+      if (std::ranges::find(fitted_options, option.name,
+                            &std::pair<std::string_view, bool CoreFixed::*>::first) ==
+          std::end(fitted_options))
+        option.set(core, option.get(chosen));
   return core;
 }
 
@@ -279,6 +283,11 @@ CoreFitScene scene_in(const ref::Scene& scene, const hls::RayBits& bits, const C
 }
 
 }  // namespace
+
+const TriedWorld* CoreFit::taken() const {
+  const auto found = std::ranges::find_if(tried, &TriedWorld::taken);
+  return found == tried.end() ? nullptr : &*found;
+}
 
 double CoreRate::rays_per_second() const {
   const double slowest = *std::max_element(cycles_a_ray.begin(), cycles_a_ray.end());
@@ -307,9 +316,7 @@ CoreFit fit_core(const std::vector<ref::Scene>& scenes, const CoreFitOptions& op
               .scenes = {}};
   if (!options.fixed.world) {
     fit.tried = search_world(scenes, options);
-    const auto taken =
-        std::find_if(fit.tried.begin(), fit.tried.end(), [](const TriedWorld& each) { return each.taken; });
-    fit.core.bits = with_world(fit.core.bits, taken->bits);
+    fit.core.bits = with_world(fit.core.bits, fit.taken()->bits);
   }
   for (const ref::Scene& scene : scenes) fit.scenes.push_back(scene_in(scene, fit.core.bits, options));
   Search search(options, library, fit);

@@ -14,6 +14,7 @@
 #include "sim/core/memory_port.hpp"
 #include "sim/core/picture_rays.hpp"
 #include "sw_ref/hierarchy/load_bvh.hpp"
+#include "sw_ref/judge/interval.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "sw_ref/world/int_scene.hpp"
 
@@ -37,6 +38,20 @@ struct CoreFixed {
   bool number_bits = false, leaf_bits = false, step_bits = false;
 };
 
+/// The options of a core that a fit chooses unless they are given.
+inline constexpr std::pair<std::string_view, bool CoreFixed::*> fitted_options[] = {
+    {"--rays", &CoreFixed::rays},
+    {"--stack", &CoreFixed::stack},
+    {"--triangle-ii", &CoreFixed::triangles},
+    {"--cache", &CoreFixed::cache},
+    {"--levels", &CoreFixed::levels},
+    {"--block-bits", &CoreFixed::block_bits},
+    {"--address-bits", &CoreFixed::byte_bits},
+    {"--tag-bits", &CoreFixed::tag_bits},
+    {"--number-bits", &CoreFixed::number_bits},
+    {"--leaf-bits", &CoreFixed::leaf_bits},
+    {"--step-bits", &CoreFixed::step_bits}};
+
 struct CoreFitOptions {
   rtl::CoreOptions core{};  ///< what is fixed has the values of these options
   CoreFixed fixed{};
@@ -44,11 +59,13 @@ struct CoreFitOptions {
   double rays_per_second = 0;  ///< that the core reaches in each scene; 0: any
   /// For the area: of the blocks that rays read, so many more because of coarse boxes and a short stack.
   double overhead_pct = 5;
-  double error_pct = 0.05;  ///< of rays that may find another triangle than in the float world
+  /// Of rays that may find another triangle than in the float world: the high end of Wilson's 95 % interval.
+  double error_pct = 0.05;
   std::optional<std::int64_t> most_luts{};  ///< that the chip has
   MemoryPort memory{};
-  std::vector<int> caches{0};   ///< KiB that are tried
-  int width = 64, height = 64;  ///< of the pictures whose rays are traced
+  std::vector<int> caches{0};  ///< KiB that are tried
+  /// Of the pictures whose rays are traced. Those whose rays are compared have more pixels if `error_pct` needs them.
+  int width = 64, height = 64;
   ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   /// Gets what is done now.
   std::function<void(const std::string& step)> progress = [](const std::string&) {};
@@ -80,8 +97,10 @@ struct CoreRate {
 /// A step of the search for bits.
 struct TriedWorld {
   hls::WorldBits bits;
-  double error_pct = 0;  ///< of the scene with most
+  std::vector<ref::Share> different;  ///< rays of each scene
   bool taken = false;
+  /// The scene of the greatest high end.
+  [[nodiscard]] const ref::Share& worst() const;
 };
 
 struct CoreFit {
@@ -93,6 +112,9 @@ struct CoreFit {
   std::vector<CoreCut> cuts;  ///< the largest first
   std::vector<CoreFitScene> scenes;
   int cores_tried = 0;
+
+  /// The bits that the search took; null when they were fixed.
+  [[nodiscard]] const TriedWorld* taken() const;
 };
 
 /// The part of a price that is compared: square micrometres, or lookup tables of a chip.

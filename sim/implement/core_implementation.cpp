@@ -42,11 +42,14 @@ CoreImplementation implement_core(const rtl::CoreOptions& core_options, const Ta
     }
   };
   const auto bits = [&](const rtl::MachineGraph& graph) { return area::price(graph, library).memory_bits; };
-  std::int64_t core_bits = 0;
-  for (const rtl::Part& part : core.parts)
-    if (part.graph) core_bits += bits(*part.graph);
-  std::int64_t axi_bits = core_bits;
-  for (const rtl::MachineGraph& machine : rtl::axi_machines(core)) axi_bits += bits(machine);
+  const auto bits_of = [&](const std::vector<rtl::Part>& parts) {
+    std::int64_t sum = 0;
+    for (const rtl::Part& part : parts)
+      if (part.graph) sum += bits(*part.graph);
+    return sum;
+  };
+  const std::int64_t core_bits = bits_of(core.parts);
+  const std::int64_t axi_bits = core_bits + bits_of(rtl::behind_axi(core).parts);
 
   return {.core = {implement({core.module, {core_file}}), core_bits},
           .axi = {implement({rtl::axi_module(core), {core_file, axi_file}, rtl::axi_clock}), axi_bits},

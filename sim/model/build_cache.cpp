@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "host/file_lock.hpp"
 #include "host/files.hpp"
@@ -17,6 +19,28 @@ namespace hitpipe::sim {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// What stands here is code that runs. Another user could also turn a link of his own elsewhere.
+void check_own(const fs::path& path) {
+  struct stat link {};
+  struct stat status {};
+  if (lstat(path.c_str(), &link) != 0 || stat(path.c_str(), &status) != 0) return;  // not there
+  const bool own = link.st_uid == geteuid() && status.st_uid == geteuid();
+  if (own && (!S_ISDIR(status.st_mode) || (status.st_mode & (S_IWGRP | S_IWOTH)) == 0)) return;
+  throw std::runtime_error(
+      fmt::format("{}: {}, so the code in it is not run; set HITPIPE_CACHE to another folder{}",
+                  path.string(), own ? "other users may write to it" : "belongs to another user",
+                  own ? ", or take that right from them (chmod go-w)" : ""));
+}
+
+/// New folders are for this user alone.
+void make_cache(const fs::path& cache) {
+  const fs::path folder = (cache / "").parent_path();
+  std::error_code ignored;
+  fs::create_directories(folder.parent_path(), ignored);
+  static_cast<void>(mkdir(folder.c_str(), 0700));  // a failure shows below
+  host::make_folder(folder);
+}
 
 /// The folder is this entry, and all its products are there.
 bool holds(const fs::path& folder, const CacheEntry& entry) {
@@ -34,6 +58,9 @@ fs::path cached(const CacheEntry& entry, const fs::path& cache) {
   // Identities are compared too. If two have the same hash, one of them is built again.
   const std::uint64_t hash = host::fnv1a(std::as_bytes(std::span(entry.identity)));
   const fs::path folder = cache / fmt::format("{}-{:016x}", entry.name, hash);
+  check_own(cache);
+  check_own(folder);
+  for (const std::string& product : entry.products) check_own(folder / product);
   if (holds(folder, entry)) return folder;
 
   const auto refuse = [&] {
@@ -43,13 +70,14 @@ fs::path cached(const CacheEntry& entry, const fs::path& cache) {
   std::optional<host::FileLock> lock;
   std::optional<host::ScratchFolder> aside;
   try {
-    host::make_folder(cache);
+    make_cache(cache);
     lock.emplace(cache / ".locks", hash);
     if (holds(folder, entry)) return folder;  // somebody has built it meanwhile
     aside.emplace(cache, "building-");
   } catch (const std::runtime_error&) {
     refuse();
   }
+  check_own(cache);  // somebody may have made it meanwhile
   entry.build(aside->path());
   host::write_file(*aside / "identity", entry.identity);
   std::error_code error;

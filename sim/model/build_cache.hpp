@@ -19,7 +19,8 @@ struct CacheEntry {
 };
 
 /// The folder that holds the entry. Builds it if it is not there. When `build` throws, the exception goes on
-/// to the caller and no entry is left. Throws std::runtime_error, one line, when the cache cannot be written.
+/// to the caller and no entry is left. Throws std::runtime_error, one line, when the cache cannot be written, and
+/// when another user owns the cache or the entry, or may write to it. A new cache is for this user alone.
 /// Removes what killed processes left behind.
 [[nodiscard]] std::filesystem::path cached(const CacheEntry& entry, const std::filesystem::path& cache);
 

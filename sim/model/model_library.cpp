@@ -14,6 +14,7 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "host/address_sanitizer.hpp"
 #ifdef HITPIPE_ADDRESS_SANITIZER
@@ -40,6 +41,12 @@ constexpr std::string_view verilator_options =
 // The vectors of g++ gather registers that are apart, and that takes longer.
 constexpr std::string_view compiler_options =
     "-std=c++17 -O2 -fno-tree-vectorize -DNDEBUG -w -fPIC -fvisibility=hidden -pthread";
+
+/// $CXXFLAGS come last. -O0 is best for a model that runs for few cycles.
+std::string all_compiler_options() {
+  return fmt::format("{} {}", compiler_options, host::environment("CXXFLAGS", ""));
+}
+
 constexpr std::string_view link_options = "-shared -Wl,-Bsymbolic";
 
 /// Verilator's own code, which every model needs.
@@ -93,10 +100,11 @@ std::string answer_of(const std::string& program, const fs::path& cache,
 
 Tool find_verilator(const fs::path& cache) {
   const auto find = [] { return find_tool("VERILATOR", "verilator", "verilator"); };
-  if (const std::string root = host::environment("VERILATOR_ROOT", "");
-      !root.empty() && !fs::is_directory(root))
-    throw std::runtime_error(fmt::format(
-        "VERILATOR_ROOT is {}, which is no folder; set it to Verilator's folder, or do not set it", root));
+  if (const fs::path root = host::environment("VERILATOR_ROOT", "");
+      !root.empty() && !fs::exists(root / "include" / "verilated.h"))
+    throw std::runtime_error(
+        fmt::format("VERILATOR_ROOT is {}, which {}; set it to Verilator's folder, or do not set it",
+                    root.string(), fs::is_directory(root) ? "has no include/verilated.h" : "is no folder"));
   for (const char* const variable : {"VERILATOR", "VERILATOR_ROOT", "VERILATOR_BIN"}) {
     if (!host::environment(variable, "").empty()) return find();
   }
@@ -129,7 +137,7 @@ struct Tools {
 
   [[nodiscard]] std::string identity() const {
     return fmt::format("{}\n{}\n{}\n{}", verilator.version, compiler.name(), compiler.version,
-                       compiler_options);
+                       all_compiler_options());
   }
 };
 
@@ -175,7 +183,7 @@ void step(const fs::path& folder, const std::string& what, const Tool& tool,
 
 /// The compiler's options for files that include Verilator's headers.
 std::vector<std::string> options(const std::string& root) {
-  std::vector<std::string> words = host::words_of(compiler_options);
+  std::vector<std::string> words = host::words_of(all_compiler_options());
   for (const char* const folder : {"/include", "/include/vltstd"}) words.push_back("-I" + root + folder);
   return words;
 }
@@ -249,8 +257,11 @@ void build(const Sources& sources, const fs::path& folder, const fs::path& cache
 }  // namespace
 
 fs::path default_cache() {
-  const std::string user = host::environment("XDG_CACHE_HOME", host::environment("HOME", "/tmp") + "/.cache");
-  return host::environment("HITPIPE_CACHE", user + "/hitpipe");
+  if (const std::string own = host::environment("HITPIPE_CACHE", ""); !own.empty()) return own;
+  const std::string home = host::environment("HOME", "");
+  const std::string user = host::environment("XDG_CACHE_HOME", home.empty() ? "" : home + "/.cache");
+  if (!user.empty()) return user + "/hitpipe";
+  return host::environment("TMPDIR", "/tmp") + fmt::format("/hitpipe-cache-{}", geteuid());
 }
 
 ModelLibrary::ModelLibrary(const ModelSources& model, const fs::path& cache) {

@@ -8,7 +8,8 @@
 
 namespace hitpipe::sim {
 
-/// $HITPIPE_CACHE, else $XDG_CACHE_HOME/hitpipe, else ~/.cache/hitpipe.
+/// $HITPIPE_CACHE, else $XDG_CACHE_HOME/hitpipe, else ~/.cache/hitpipe; without a home a folder of the user in
+/// $TMPDIR or /tmp.
 [[nodiscard]] std::filesystem::path default_cache();
 
 struct ModelSources {
@@ -22,9 +23,9 @@ class ModelLibrary {
   /// Verilator and the C++ compiler build it unless the cache already holds a build of these sources. Two
   /// processes may do this at once: each builds in a folder of its own, and the first to finish is kept.
   /// $VERILATOR and $CXX name other programs than `verilator` and `clang++` (`c++` where that cannot
-  /// compile); they may hold arguments ("env g++"). Throws std::runtime_error, one line, when Verilator or
-  /// the compiler is missing or fails (the line says where the log is), when the cache cannot be written, or
-  /// when an entry cannot be loaded.
+  /// compile); they may hold arguments ("env g++"). $CXXFLAGS are more options of the compiler. Throws
+  /// std::runtime_error, one line, when Verilator or the compiler is missing or fails (the line says where
+  /// the log is), when the cache cannot be written, or when an entry cannot be loaded.
   ModelLibrary(const ModelSources& model, const std::filesystem::path& cache);
   ~ModelLibrary();
   ModelLibrary(const ModelLibrary&) = delete;

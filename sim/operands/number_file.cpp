@@ -180,12 +180,30 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+/// The comma behind the first cell. A cell that begins with a quote may have commas in it.
+std::size_t end_of_cell(std::string_view line) {
+  if (!trimmed(line).starts_with('"')) return line.find(',');
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') in_quotes = !in_quotes;  // a doubled one changes nothing
+    if (line[i] == ',' && !in_quotes) return i;
+  }
+  return std::string_view::npos;
+}
+
+/// RFC 4180. Quotes inside stay doubled: no name and no number has one.
+std::string_view without_quotes(std::string_view cell) {
+  return cell.size() >= 2 && cell.starts_with('"') && cell.ends_with('"')
+             ? trimmed(cell.substr(1, cell.size() - 2))
+             : cell;
+}
+
 /// Calls visit(cell) for each cell of a line.
 template <class Visit>
 void for_each_cell(std::string_view line, Visit&& visit) {
   for (;;) {
-    const std::size_t comma = line.find(',');
-    visit(trimmed(line.substr(0, comma)));
+    const std::size_t comma = end_of_cell(line);
+    visit(without_quotes(trimmed(line.substr(0, comma))));
     if (comma == std::string_view::npos) return;
     line.remove_prefix(comma + 1);
   }
@@ -246,6 +264,8 @@ void NumberFile::words(const NumberLine& line, std::span<std::string_view> out) 
     if (cells < place_of_cell_.size()) out[place_of_cell_[cells]] = cell;
     ++cells;
   });
+  if (cells != place_of_cell_.size() && std::count(line.text.begin(), line.text.end(), '"') % 2 != 0)
+    reject(line, "a quote is not closed; a cell must end in its line");
   if (cells != place_of_cell_.size())
     reject(line, fmt::format("has {} cells; the first line names {} columns", cells, place_of_cell_.size()));
 }

@@ -3,7 +3,8 @@
 // The lines of a file or of standard input, read piece by piece. A line has at most 64 KiB, so memory does
 // not depend on the file.
 // A CSV file of numbers. Its first line names the columns, which may have any order. Empty lines and lines
-// that start with '#' are left out. Blanks around a cell do not count.
+// that start with '#' are left out. Blanks around a cell do not count. A cell may be in quotes (RFC 4180), but
+// not go on in another line.
 #pragma once
 
 #include <cstdint>

@@ -82,6 +82,20 @@ void read_cell(const SweepColumn& column, const std::string& cell, SweepRow& row
       column.value);
 }
 
+/// Both ends or none, and the figure between them.
+void check_interval(const char* name, double figure, const std::optional<double>& low,
+                    const std::optional<double>& high) {
+  constexpr double rounding = 1e-9;
+  if (low.has_value() == high.has_value() &&
+      (!low || (*low <= figure + rounding && figure <= *high + rounding)))
+    return;
+  const auto end = [](const std::optional<double>& value) {
+    return value ? fmt::format("{}", *value) : "nothing";
+  };
+  throw std::runtime_error(fmt::format("{} to {} of {}_low and {}_high is no interval around {}", end(low),
+                                       end(high), name, name, figure));
+}
+
 template <class Value>
 std::string text_of(const Value& value) {
   return fmt::format("{}", value);
@@ -124,6 +138,10 @@ double SweepRow::extra_triangle_tests_pct() const {
 
 double SweepRow::run_time_ms() const {
   return static_cast<double>(cycles) * static_cast<double>(stage_delay_ps) / 1e9;
+}
+
+double SweepRow::run_time_ns_per_ray() const {
+  return cycles_per_ray() * static_cast<double>(stage_delay_ps) / 1e3;
 }
 
 double SweepRow::area_per_box_mm2() const {
@@ -263,6 +281,9 @@ SweepRow from_cells(const std::vector<std::string>& cells) {
   if (r.box_tests < r.unit_tests || r.box_tests / boxes + (r.box_tests % boxes != 0 ? 1 : 0) > r.unit_tests)
     throw std::runtime_error(fmt::format("{} of box_tests cannot be answered by {} tests of {} boxes",
                                          r.box_tests, r.unit_tests, r.boxes_per_test));
+  check_interval("extra_box_tests_pct", r.extra_box_tests_pct(), r.extra_box_pct_low, r.extra_box_pct_high);
+  check_interval("extra_triangle_tests_pct", r.extra_triangle_tests_pct(), r.extra_triangle_pct_low,
+                 r.extra_triangle_pct_high);
   const std::vector<std::string> again = to_cells(r);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] != again[i])

@@ -75,9 +75,12 @@ struct SweepRow : SweepSubject {
   std::uint64_t indexed_bytes = 0, indexed_bytes_4kib = 0, indexed_bytes_16kib = 0, indexed_bytes_64kib = 0;
 
   double rtl_seconds = 0;  ///< measured: CosimResult::rtl_seconds
-  /// Measured: processor time of the design's own traversal in software, in seconds for a million rays. Median and
-  /// quartiles of repeated runs; nothing of a design without a tracer of its own.
-  std::optional<double> software_s, software_s_lower, software_s_upper;
+  /// Ends of the 95 % intervals of extra_box_tests_pct() and extra_triangle_tests_pct(): ref::ExtraWork of the pixels.
+  std::optional<double> extra_box_pct_low, extra_box_pct_high, extra_triangle_pct_low,
+      extra_triangle_pct_high;
+  /// Measured: processor time of the design's own traversal in software, in seconds for a million rays. Median of
+  /// repeated runs and its 95 % interval; nothing of a design without a tracer of its own.
+  std::optional<double> software_s, software_s_low, software_s_high;
 
   [[nodiscard]] std::uint64_t rays_traced() const;
   [[nodiscard]] double occupancy_pct() const;           ///< 100: a test begins whenever one may
@@ -88,6 +91,8 @@ struct SweepRow : SweepSubject {
   [[nodiscard]] double extra_box_tests_pct() const;
   [[nodiscard]] double extra_triangle_tests_pct() const;
   [[nodiscard]] double run_time_ms() const;  ///< of the box tests alone, as in the thesis
+  [[nodiscard]] double cycles_per_ray() const { return per_ray(cycles); }
+  [[nodiscard]] double run_time_ns_per_ray() const;
   [[nodiscard]] bool on_chip() const { return luts > 0; }
   [[nodiscard]] double area_per_box_mm2() const;
   [[nodiscard]] double box_time_ns() const;        ///< of the unit when it is full
@@ -232,8 +237,14 @@ inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
     {"extra_box_tests_per_ray", &SweepRow::extra_box_tests_per_ray},
     {"extra_triangle_tests_per_ray", &SweepRow::extra_triangle_tests_per_ray},
     {"extra_box_tests_pct", &SweepRow::extra_box_tests_pct},
+    {"extra_box_tests_pct_low", &SweepRow::extra_box_pct_low},
+    {"extra_box_tests_pct_high", &SweepRow::extra_box_pct_high},
     {"extra_triangle_tests_pct", &SweepRow::extra_triangle_tests_pct},
+    {"extra_triangle_tests_pct_low", &SweepRow::extra_triangle_pct_low},
+    {"extra_triangle_tests_pct_high", &SweepRow::extra_triangle_pct_high},
     {"run_time_ms", &SweepRow::run_time_ms},
+    {"cycles_per_ray", &SweepRow::cycles_per_ray},
+    {"run_time_ns_per_ray", &SweepRow::run_time_ns_per_ray},
     {"area_per_box_mm2", &SweepRow::area_per_box_mm2},
     {"area_delay_mm2_ns", &SweepRow::area_delay_mm2_ns},
     {"area_run_time_mm2_ms", &SweepRow::area_run_time_mm2_ms},
@@ -258,8 +269,8 @@ inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
     {"whole_area_run_time_lut_ms", &SweepRow::whole_area_run_time_lut_ms},
     {"rtl_seconds", &SweepRow::rtl_seconds},
     {"software_s_per_mray", &SweepRow::software_s},
-    {"software_s_per_mray_lower", &SweepRow::software_s_lower},
-    {"software_s_per_mray_upper", &SweepRow::software_s_upper},
+    {"software_s_per_mray_low", &SweepRow::software_s_low},
+    {"software_s_per_mray_high", &SweepRow::software_s_high},
 });
 inline constexpr std::size_t sweep_time_columns = 4;
 

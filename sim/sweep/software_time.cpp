@@ -1,10 +1,10 @@
 #include "sim/sweep/software_time.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/generic_tracer.hpp"
 
@@ -62,17 +62,16 @@ SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int wid
 SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const AskedRay> rays)
     : scene_(scene), bvh_(bvh), batches_(listed_batches(scene, bvh, some_of(rays))) {}
 
-std::optional<RunTime> SoftwareTime::of(const rtl::Design& design, const rtl::Format& format) const {
+std::optional<ref::Middle> SoftwareTime::of(const rtl::Design& design, const rtl::Format& format) const {
   if (software_of(design).tracer == nullptr) return std::nullopt;
   const std::unique_ptr<ref::Tracer> tracer = make_tracer(design, {format}, scene_.mesh, bvh_);
   std::size_t rays = 0;
   for (const ref::RecordedBatch& batch : batches_) rays += batch.rays.size();
   if (rays == 0) return std::nullopt;
-  std::array<double, 9> runs{};
+  std::vector<double> runs(9);  // six are needed for an interval
   for (double& run : runs)
     run = milli(1e6 * ref::measure(*tracer, batches_, 1).seconds.front() / static_cast<double>(rays));
-  std::ranges::sort(runs);
-  return RunTime{.lower_s = runs[2], .median_s = runs[4], .upper_s = runs[6]};
+  return ref::middle_of(std::move(runs));
 }
 
 }  // namespace hitpipe::sim

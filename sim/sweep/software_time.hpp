@@ -7,6 +7,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/operands/ray_list.hpp"
+#include "sw_ref/judge/interval.hpp"
 #include "sw_ref/render/recording.hpp"
 
 namespace hitpipe::sim {
@@ -17,13 +18,6 @@ namespace hitpipe::sim {
 /// The rays in their order, with exact answers. A batch has rays of one query.
 [[nodiscard]] std::vector<ref::RecordedBatch> listed_batches(const ref::Scene& scene, const ref::Bvh& bvh,
                                                              std::span<const AskedRay> rays);
-
-/// Of repeated runs, for a million rays.
-struct RunTime {
-  double lower_s = 0;  ///< a quarter of the runs took less
-  double median_s = 0;
-  double upper_s = 0;  ///< a quarter took more
-};
 
 /// Thread-safe.
 class SoftwareTime {
@@ -36,9 +30,9 @@ class SoftwareTime {
   /// Takes rays of the list, evenly spaced, as many as such an image has pixels at most.
   SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const AskedRay> rays);
 
-  /// Measured now. Nothing for a design without a tracer of its own: the generic one is no measure of it. Throws what
-  /// ref::make_tracer() throws.
-  [[nodiscard]] std::optional<RunTime> of(const rtl::Design& design, const rtl::Format& format) const;
+  /// Seconds for a million rays, measured now. Nothing for a design without a tracer of its own: the generic one is no
+  /// measure of it. Throws what ref::make_tracer() throws.
+  [[nodiscard]] std::optional<ref::Middle> of(const rtl::Design& design, const rtl::Format& format) const;
 
  private:
   const ref::Scene& scene_;

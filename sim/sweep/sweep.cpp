@@ -33,7 +33,7 @@ struct MeasuredUnit {
   std::mutex making;
   std::optional<VerilatedDesign> verilated;
   std::optional<area::Price> price;
-  std::optional<RunTime> software;
+  std::optional<ref::Middle> software;  ///< seconds for a million rays
   ref::ReadBytes corners, indices;
   SetUpCost set_up;
   std::optional<area::Toggles> toggles;
@@ -206,9 +206,9 @@ class Run {
     row.indexed_bytes_64kib = unit.indices.behind[2];
     row.rtl_seconds = milli(result.rtl_seconds);
     if (unit.software) {
-      row.software_s = unit.software->median_s;
-      row.software_s_lower = unit.software->lower_s;
-      row.software_s_upper = unit.software->upper_s;
+      row.software_s = unit.software->median;
+      row.software_s_low = unit.software->interval->low;
+      row.software_s_high = unit.software->interval->high;
     }
     return row;
   }
@@ -282,6 +282,14 @@ void add_counts(SweepRow& row, const CosimResult& result) {
   row.rtl_mismatches = result.unit.rtl_mismatches;
   row.different_triangles = result.different_triangles;
   row.cycles = result.unit.cycles;
+  if (const auto interval = result.extra_box_tests.percent_interval()) {
+    row.extra_box_pct_low = interval->low;
+    row.extra_box_pct_high = interval->high;
+  }
+  if (const auto interval = result.extra_triangle_tests.percent_interval()) {
+    row.extra_triangle_pct_low = interval->low;
+    row.extra_triangle_pct_high = interval->high;
+  }
 }
 
 SetUpCost set_up_cost(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library) {

@@ -85,6 +85,9 @@ CoreHeader header_of(std::span<const CoreBlock> blocks) {
   if (sizes >> 32 != blocks.size())
     throw std::runtime_error(
         fmt::format("there are {} blocks; allowed are {}, as the header says", blocks.size(), sizes >> 32));
+  if (blocks.size() % 2 != 0)
+    throw std::runtime_error(fmt::format(
+        "there are {} blocks; allowed is an even number, since memory has lines of two", blocks.size()));
   if (word(blocks, checksum_word) != checksum_of(blocks))
     throw std::runtime_error("the checksum differs: the image was changed or half written");
   for (const std::size_t place : empty_words)

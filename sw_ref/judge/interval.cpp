@@ -62,6 +62,15 @@ Interval wilson_interval(std::uint64_t part, std::uint64_t whole) {
   return wilson(whole == 0 ? 0.0 : static_cast<double>(part) / cases, cases);
 }
 
+double Share::percent() const {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+Interval Share::percent_interval() const {
+  const Interval share = wilson_interval(part, whole);
+  return {100 * share.low, 100 * share.high};
+}
+
 void GroupedRatio::add(double above, double below) {
   if (above == 0 && below == 0) return;
   ++groups_;
@@ -109,10 +118,14 @@ double GroupedRatio::variance() const {
   return std::max(0.0, squares) * groups / (groups - 1) / (below_ * below_);
 }
 
+double GroupedRatio::deviation() const {
+  return std::sqrt(variance());
+}
+
 Interval GroupedRatio::interval() const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (groups_ < 2) return {-infinity, infinity};
-  const double half = students_quantile(static_cast<double>(groups_ - 1)) * std::sqrt(variance());
+  const double half = students_quantile(static_cast<double>(groups_ - 1)) * deviation();
   return {ratio() - half, ratio() + half};
 }
 
@@ -124,6 +137,40 @@ Interval GroupedRatio::share_interval() const {
   const double few = students_quantile(groups - 1) / normal_quantile;
   const double spread = few * few * variance();
   return wilson(share, spread > 0 ? std::min(below_, share * (1 - share) / spread) : below_);
+}
+
+void ExtraWork::add(std::uint64_t work, std::uint64_t reference) {
+  groups_.add(static_cast<double>(work), static_cast<double>(reference));
+  with_more_ += work > reference ? 1 : 0;
+  with_less_ += work < reference ? 1 : 0;
+}
+
+ExtraWork& ExtraWork::operator+=(const ExtraWork& other) {
+  groups_ += other.groups_;
+  with_more_ += other.with_more_;
+  with_less_ += other.with_less_;
+  return *this;
+}
+
+double ExtraWork::percent() const {
+  return groups_.groups() == 0 ? 0.0 : 100 * (groups_.ratio() - 1);
+}
+
+std::optional<Interval> ExtraWork::percent_interval() const {
+  if (groups_.groups() < 2) return std::nullopt;
+  if (with_more_ == 0 && with_less_ == 0) return Interval{0, 100 * wilson_interval(0, groups_.groups()).high};
+  if (with_less_ > 0) {
+    const Interval ratio = groups_.interval();
+    return Interval{100 * (ratio.low - 1), 100 * (ratio.high - 1)};
+  }
+  const double extra = percent();
+  // Few groups with more know their own spread badly.
+  const double half =
+      100 * students_quantile(std::max(3.0, static_cast<double>(with_more_))) * groups_.deviation();
+  // Solves |extra - p| = half * sqrt(p / extra) for p.
+  const double middle = extra + half * half / (2 * extra);
+  const double reach = half * std::sqrt(1 + half * half / (4 * extra * extra));
+  return Interval{std::max(0.0, middle - reach), middle + reach};
 }
 
 }  // namespace hitpipe::ref

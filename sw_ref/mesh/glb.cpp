@@ -26,6 +26,9 @@ GlbChunks read_glb(std::string_view bytes) {
   if (const std::uint32_t version = word(4); version != 2)
     reject(version == 1 ? std::string("glTF 1.0 is not read; allowed is 2.0")
                         : fmt::format("GLB version {} is not read; allowed is 2", version));
+  if (word(8) != bytes.size())
+    reject(fmt::format("the GLB header announces {} bytes, the file has {}; they must be equal", word(8),
+                       bytes.size()));
   GlbChunks chunks;
   std::size_t number = 0;
   for (std::size_t at = header; at < bytes.size(); ++number) {
@@ -51,9 +54,6 @@ GlbChunks read_glb(std::string_view bytes) {
     at += chunk_header + length;
   }
   if (number == 0) reject("is cut short; a GLB has a JSON chunk behind its header");
-  if (word(8) != bytes.size())
-    reject(fmt::format("the GLB header announces {} bytes, the file has {}; they must be equal", word(8),
-                       bytes.size()));
   return chunks;
 }
 

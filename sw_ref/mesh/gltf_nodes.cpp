@@ -1,10 +1,12 @@
 #include "sw_ref/mesh/gltf_nodes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace hitpipe::ref {
 namespace {
@@ -40,25 +42,41 @@ glm::dmat4 gltf_rotation(const Place& place) {
           {0, 0, 0, 1}};
 }
 
-glm::dmat4 gltf_transform(const Place& node) {
+GltfTransform gltf_transform(const Place& node) {
   const bool has_parts = node.has("translation") || node.has("rotation") || node.has("scale");
   if (node.has("matrix")) {
     if (has_parts)
       node.fail("has a matrix, and also translation, rotation or scale; only one of both is allowed");
-    return gltf_matrix(node.at("matrix"));
+    return gltf_signed(gltf_matrix(node.at("matrix")));
   }
-  glm::dmat4 transform(1.0);
+  GltfTransform transform;
   if (!has_parts) return transform;
-  if (node.has("rotation")) transform = gltf_rotation(node.at("rotation"));
+  if (node.has("rotation")) transform.matrix = gltf_rotation(node.at("rotation"));
   if (node.has("scale")) {
     const glm::dvec3 scale = node.at("scale").vector();
-    for (int k = 0; k < 3; ++k) transform[k] *= scale[k];
+    for (int k = 0; k < 3; ++k) {
+      transform.matrix[k] *= scale[k];
+      transform.sign *= (scale[k] > 0) - (scale[k] < 0);
+    }
   }
-  if (node.has("translation")) transform[3] = glm::dvec4(node.at("translation").vector(), 1.0);
+  if (node.has("translation")) transform.matrix[3] = glm::dvec4(node.at("translation").vector(), 1.0);
   return transform;
 }
 
 }  // namespace
+
+GltfTransform gltf_signed(const glm::dmat4& matrix) {
+  std::array<glm::dvec3, 3> columns;
+  for (int k = 0; k < 3; ++k) {
+    // Columns are scaled, so that no product leaves the range of a double.
+    const glm::dvec3 column(matrix[k]);
+    const double largest = std::max({std::abs(column.x), std::abs(column.y), std::abs(column.z)});
+    columns[static_cast<std::size_t>(k)] = largest > 0 ? column / largest : column;
+  }
+  const double determinant = glm::dot(glm::cross(columns[0], columns[1]), columns[2]);
+  constexpr double rounding = 0x1p-48;
+  return {matrix, determinant > rounding ? 1 : determinant < -rounding ? -1 : 0};
+}
 
 GltfNodes::GltfNodes(const GltfDocument& document) : document_(document) {
   read_parents();
@@ -120,16 +138,17 @@ void GltfNodes::read_roots() {
   }
 }
 
-void GltfNodes::visit(const std::function<void(const Place&, std::size_t, const glm::dmat4&)>& call) const {
+void GltfNodes::visit(
+    const std::function<void(const Place&, std::size_t, const GltfTransform&)>& call) const {
   struct Level {
     std::uint32_t node;
-    glm::dmat4 transform;
+    GltfTransform transform;
     std::size_t next_child;
   };
   std::vector<Level> levels;
   const auto enter = [&](std::uint32_t n) {
     const Place node = document_.item("nodes", std::size_t{n});
-    const glm::dmat4 own = gltf_transform(node);
+    const GltfTransform own = gltf_transform(node);
     levels.push_back({n, levels.empty() ? own : levels.back().transform * own, 0});
     call(node, n, levels.back().transform);
   };

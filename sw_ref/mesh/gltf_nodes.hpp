@@ -11,6 +11,20 @@
 
 namespace hitpipe::ref {
 
+/// A matrix, and which way it turns a surface: 1 keeps the sides, -1 mirrors, 0 makes it flat. The product of
+/// the signs of all factors has no rounding, as the determinant of their product has.
+struct GltfTransform {
+  glm::dmat4 matrix{1.0};
+  int sign = 1;
+
+  [[nodiscard]] GltfTransform operator*(const GltfTransform& right) const {
+    return {matrix * right.matrix, sign * right.sign};
+  }
+};
+
+/// The sign of the determinant of its linear part; 0 if that is no more than a rounding.
+[[nodiscard]] GltfTransform gltf_signed(const glm::dmat4& matrix);
+
 class GltfNodes {
  public:
   /// Refuses a node with two parents, a cycle, and a scene whose node has a parent.
@@ -19,7 +33,8 @@ class GltfNodes {
   /// Calls for each node of the scene with the product of the transforms of the node and those above it: a
   /// node before its children, the children in their order. It is the scene that the file shows first: the
   /// one that it names, else its first, or all nodes without parent if it has no scene.
-  void visit(const std::function<void(const Place& node, std::size_t number, const glm::dmat4&)>& call) const;
+  void visit(
+      const std::function<void(const Place& node, std::size_t number, const GltfTransform&)>& call) const;
 
  private:
   void read_parents();

@@ -130,8 +130,9 @@ std::uint64_t GltfPrimitive::corner(std::uint64_t c) const {
   return index;
 }
 
-glm::dmat4 GltfPrimitive::skin_matrix(std::uint64_t i, std::span<const glm::dmat4> skin) const {
-  glm::dmat4 sum(0.0);
+/// Its sign is 1 if one of the joints keeps the sides of a surface, -1 if none does and one mirrors.
+GltfTransform GltfPrimitive::skin_transform(std::uint64_t i, std::span<const GltfTransform> skin) const {
+  GltfTransform sum{glm::dmat4(0.0), 0};
   double weights = 0;
   for (const auto& [numbers, parts] : joints_) {
     for (unsigned k = 0; k < 4; ++k) {
@@ -140,17 +141,18 @@ glm::dmat4 GltfPrimitive::skin_matrix(std::uint64_t i, std::span<const glm::dmat
       const auto joint = static_cast<std::size_t>(numbers->number(i, k));
       if (joint >= skin.size())
         place_.fail(fmt::format("vertex {} has joint {}; the skin has {} joints", i, joint, skin.size()));
-      sum += weight * skin[joint];
+      sum.matrix += weight * skin[joint].matrix;
+      if (sum.sign != 1 && skin[joint].sign != 0) sum.sign = skin[joint].sign;
       weights += weight;
     }
   }
   if (!(weights > 0))
     place_.fail(fmt::format("vertex {} has joint weights of {}; they must add up to 1", i, weights));
-  return sum / weights;
+  sum.matrix /= weights;
+  return sum;
 }
 
-glm::dvec3 GltfPrimitive::position(std::uint64_t i, const glm::dmat4& transform,
-                                   std::span<const glm::dmat4> skin) const {
+glm::dvec3 GltfPrimitive::position(std::uint64_t i, const GltfTransform& transform) const {
   const auto vector = [i](const GltfAccessor& accessor) {
     return glm::dvec3(accessor.number(i, 0), accessor.number(i, 1), accessor.number(i, 2));
   };
@@ -158,26 +160,39 @@ glm::dvec3 GltfPrimitive::position(std::uint64_t i, const glm::dmat4& transform,
   for (const auto& [weight, deltas] : targets_) p += weight * vector(*deltas);
   if (!has_finite_coordinates(p))
     place_.fail(fmt::format("vertex {} lies at ({}, {}, {}); coordinates must be finite", i, p.x, p.y, p.z));
-  const glm::dvec3 moved(joints_.empty() ? transform * glm::dvec4(p, 1.0)
-                                         : skin_matrix(i, skin) * glm::dvec4(p, 1.0));
+  const glm::dvec3 moved(transform.matrix * glm::dvec4(p, 1.0));
   if (!has_finite_coordinates(moved))
     place_.fail(fmt::format("a node transform moves vertex {} to ({}, {}, {}); coordinates must be finite", i,
                             moved.x, moved.y, moved.z));
   return moved;
 }
 
-void GltfPrimitive::add_to(FileMesh& mesh, const glm::dmat4& transform,
-                           std::span<const glm::dmat4> skin) const {
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+void GltfPrimitive::add_to(FileMesh& mesh, const GltfTransform& transform,
+                           std::span<const GltfTransform> skin) const {
+  const std::size_t first = mesh.positions.size();
+  const std::size_t first_corner = mesh.corners.size();
   // A primitive may use a few of many positions that it shares with others.
   const bool few = corners_ < positions_->count();
-  for (std::uint64_t i = 0; !few && i < positions_->count(); ++i)
-    mesh.positions.push_back(position(i, transform, skin));
+  if (!few) mesh.positions.resize(first + positions_->count());
+  std::vector<bool> is_read(few ? 0 : positions_->count(), false);
+  int sign = 0;
   for (std::uint64_t c = 0; c < corners_; ++c) {
     const std::uint64_t vertex = corner(c);
-    if (few) mesh.positions.push_back(position(vertex, transform, skin));
-    mesh.corners.push_back(first + static_cast<std::uint32_t>(few ? c : vertex));
+    const std::size_t place = first + (few ? c : vertex);
+    mesh.corners.push_back(static_cast<std::uint32_t>(place));
+    if (few)
+      mesh.positions.emplace_back();
+    else if (is_read[vertex])
+      continue;
+    else
+      is_read[vertex] = true;
+    const GltfTransform moved = joints_.empty() ? transform : skin_transform(vertex, skin);
+    mesh.positions[place] = position(vertex, moved);
+    if (sign != 1 && moved.sign != 0) sign = moved.sign;
   }
+  if (sign != -1) return;
+  for (std::size_t c = first_corner; c < mesh.corners.size(); c += 3)
+    std::swap(mesh.corners[c + 1], mesh.corners[c + 2]);
 }
 
 }  // namespace hitpipe::ref

@@ -7,11 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include <glm/mat4x4.hpp>
-
 #include "sw_ref/mesh/file_mesh.hpp"
 #include "sw_ref/mesh/gltf_accessor.hpp"
 #include "sw_ref/mesh/gltf_document.hpp"
+#include "sw_ref/mesh/gltf_nodes.hpp"
 
 namespace hitpipe::ref {
 
@@ -31,16 +30,16 @@ class GltfPrimitive {
   /// How many numbers are added to make a position.
   [[nodiscard]] std::uint64_t terms() const { return 1 + targets_.size() + joints_.size(); }
 
-  /// Adds the triangles. A skin, if there is one, moves the positions, else the transform.
-  void add_to(FileMesh& mesh, const glm::dmat4& transform, std::span<const glm::dmat4> skin) const;
+  /// Adds the triangles. A skin, if there is one, moves the positions, else the transform. A position that no
+  /// triangle uses is not read.
+  void add_to(FileMesh& mesh, const GltfTransform& transform, std::span<const GltfTransform> skin) const;
 
  private:
   void read_targets(const GltfDocument& document, GltfAccessors& accessors, std::span<const double> weights);
   void read_joints(GltfAccessors& accessors);
   [[nodiscard]] std::uint64_t corner(std::uint64_t c) const;
-  [[nodiscard]] glm::dvec3 position(std::uint64_t i, const glm::dmat4& transform,
-                                    std::span<const glm::dmat4> skin) const;
-  [[nodiscard]] glm::dmat4 skin_matrix(std::uint64_t i, std::span<const glm::dmat4> skin) const;
+  [[nodiscard]] glm::dvec3 position(std::uint64_t i, const GltfTransform& transform) const;
+  [[nodiscard]] GltfTransform skin_transform(std::uint64_t i, std::span<const GltfTransform> skin) const;
 
   Place place_;
   std::uint64_t mode_;

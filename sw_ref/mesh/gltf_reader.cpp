@@ -32,10 +32,10 @@ class GltfScene {
         checked_(document_.size("meshes"), false) {}
 
   FileMesh read() {
-    nodes_.visit([&](const Place& node, std::size_t, const glm::dmat4&) { measure(node); });
+    nodes_.visit([&](const Place& node, std::size_t, const GltfTransform&) { measure(node); });
     mesh_.positions.reserve(positions_);
     mesh_.corners.reserve(corners_);
-    nodes_.visit([&](const Place& node, std::size_t, const glm::dmat4& transform) { add(node, transform); });
+    nodes_.visit([&](const Place& node, std::size_t, const GltfTransform& own) { add(node, own); });
     return std::move(mesh_);
   }
 
@@ -77,7 +77,8 @@ class GltfScene {
 
   void measure(const Place& node) {
     check_extensions(node);
-    if (node.has("mesh") && node.has("skin")) bytes_ += sizeof(glm::dmat4) * skins_.joints(node.at("skin"));
+    if (node.has("mesh") && node.has("skin"))
+      bytes_ += sizeof(GltfTransform) * skins_.joints(node.at("skin"));
     primitives(
         node, [&](const Place& mesh, const Place& place, const GltfPrimitive& primitive, std::size_t morphs) {
           positions_ += primitive.positions();
@@ -108,8 +109,8 @@ class GltfScene {
     return primitive.has("material") ? gltf_name(document_.item("materials", primitive.at("material"))) : "";
   }
 
-  void add(const Place& node, const glm::dmat4& transform) {
-    std::vector<glm::dmat4> skin;
+  void add(const Place& node, const GltfTransform& transform) {
+    std::vector<GltfTransform> skin;
     if (node.has("mesh") && node.has("skin")) skin = skins_.matrices(accessors_, node.at("skin"));
     primitives(node, [&](const Place& mesh, const Place& place, const GltfPrimitive& primitive, std::size_t) {
       if (primitive.corners() == 0) return;

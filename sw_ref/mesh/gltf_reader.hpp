@@ -9,12 +9,13 @@
 namespace hitpipe::ref {
 
 /// The triangles of the scene that the file shows first, moved by its nodes; `file` finds the buffers. Each
-/// primitive of each node is a group, with the names of its mesh and its material. The corners of a triangle
-/// keep their order also under a transform that mirrors.
+/// primitive of each node is a group, with the names of its mesh and its material. Under a transform that
+/// mirrors, two corners of each triangle are swapped, so that its front stays outside.
 ///
 /// Nothing is animated. Morph targets are added with the weights of the node, or else of the mesh. A mesh
 /// with a skin is moved by its joints, each where its node is; the transform of its own node is ignored, as
-/// the specification says.
+/// the specification says. So is its sign: a primitive is mirrored if joints mirror it and no joint that moves
+/// it keeps its sides.
 ///
 /// Skipped are points, lines, primitives without positions, other scenes, and everything about materials,
 /// textures, images, cameras, lights and animations. An extension that is required must be in the list of

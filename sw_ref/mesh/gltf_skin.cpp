@@ -13,12 +13,12 @@ GltfSkins::GltfSkins(const GltfDocument& document, const GltfNodes& nodes) : doc
     for (const Place& joint : joints.elements()) is_joint[document.index("nodes", joint)] = true;
   }
   if (document.size("skins") == 0) return;
-  nodes.visit([&](const Place&, std::size_t number, const glm::dmat4& transform) {
+  nodes.visit([&](const Place&, std::size_t number, const GltfTransform& transform) {
     if (is_joint[number]) joints_[number] = transform;
   });
 }
 
-std::vector<glm::dmat4> GltfSkins::matrices(GltfAccessors& accessors, const Place& number) const {
+std::vector<GltfTransform> GltfSkins::matrices(GltfAccessors& accessors, const Place& number) const {
   const Place skin = document_.item("skins", number);
   const GltfAccessor* inverse = nullptr;
   const std::vector<Place> joints = skin.at("joints").elements();
@@ -30,7 +30,7 @@ std::vector<glm::dmat4> GltfSkins::matrices(GltfAccessors& accessors, const Plac
           "is for inverse matrices of {} joints; it must have as many elements of type MAT4, 5126",
           joints.size()));
   }
-  std::vector<glm::dmat4> all;
+  std::vector<GltfTransform> all;
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const std::size_t node = document_.index("nodes", joints[j]);
     const auto found = joints_.find(node);
@@ -38,7 +38,7 @@ std::vector<glm::dmat4> GltfSkins::matrices(GltfAccessors& accessors, const Plac
     glm::dmat4 bind(1.0);
     for (unsigned k = 0; inverse && k < 16; ++k)
       bind[static_cast<int>(k / 4)][static_cast<int>(k % 4)] = inverse->number(j, k);
-    all.push_back(found->second * bind);
+    all.push_back(found->second * gltf_signed(bind));
   }
   return all;
 }

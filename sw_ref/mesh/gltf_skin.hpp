@@ -5,8 +5,6 @@
 #include <map>
 #include <vector>
 
-#include <glm/mat4x4.hpp>
-
 #include "sw_ref/mesh/gltf_accessor.hpp"
 #include "sw_ref/mesh/gltf_document.hpp"
 #include "sw_ref/mesh/gltf_nodes.hpp"
@@ -21,11 +19,11 @@ class GltfSkins {
     return document_.item("skins", number).at("joints").size();
   }
   /// For each joint of the skin: how it moves a position that it alone holds.
-  [[nodiscard]] std::vector<glm::dmat4> matrices(GltfAccessors& accessors, const Place& number) const;
+  [[nodiscard]] std::vector<GltfTransform> matrices(GltfAccessors& accessors, const Place& number) const;
 
  private:
   const GltfDocument& document_;
-  std::map<std::size_t, glm::dmat4> joints_;  ///< by node
+  std::map<std::size_t, GltfTransform> joints_;  ///< by node
 };
 
 }  // namespace hitpipe::ref

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -80,15 +81,19 @@ FileMesh read(const fs::path& file) {
   return reader(*bytes, file);
 }
 
-/// Adding +0 turns -0 into +0, so that equal positions have equal bits.
-std::vector<glm::dvec3> checked(std::vector<glm::dvec3> positions) {
+/// Positions that no triangle uses may lie anywhere. Adding +0 turns -0 into +0, so that equal positions have
+/// equal bits.
+std::vector<glm::dvec3> checked(std::vector<glm::dvec3> positions, std::span<const glm::uvec3> triangles) {
   const auto fits = [](double x) { return std::abs(x) <= double{std::numeric_limits<float>::max()}; };
-  for (glm::dvec3& p : positions) {
-    if (!fits(p.x) || !fits(p.y) || !fits(p.z))
-      reject(fmt::format("a vertex lies at ({}, {}, {}); coordinates must be finite and below 3.4e38", p.x,
-                         p.y, p.z));
-    p += 0.0;
+  for (const glm::uvec3& triangle : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec3& p = positions[triangle[k]];
+      if (!fits(p.x) || !fits(p.y) || !fits(p.z))
+        reject(fmt::format("a vertex lies at ({}, {}, {}); coordinates must be finite and below 3.4e38", p.x,
+                           p.y, p.z));
+    }
   }
+  for (glm::dvec3& p : positions) p += 0.0;
   return positions;
 }
 
@@ -110,7 +115,7 @@ SourceMesh mesh_of(FileMesh file, std::vector<MeshGroup>& groups) {
   SourceMesh mesh;
   mesh.faces = first_numbers(file);
   mesh.triangles = triangles_of(file);
-  mesh.vertices = checked(std::move(file.positions));
+  mesh.vertices = checked(std::move(file.positions), mesh.triangles);
   if (mesh.triangles.empty()) reject("has no triangle; at least one is needed");
   drop(mesh, flat_triangles(mesh));
   mesh.without_area = static_cast<std::uint32_t>(mesh.dropped.size());
@@ -122,13 +127,6 @@ SourceMesh mesh_of(FileMesh file, std::vector<MeshGroup>& groups) {
   return mesh;
 }
 
-/// What a message quotes from a broken file can contain line breaks and other control characters.
-std::string one_line_of_mesh_file(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
-  return text;
-}
-
 /// Names the file in what `make` refuses.
 template <class Make>
 auto named(const fs::path& file, Make make) {
@@ -138,8 +136,7 @@ auto named(const fs::path& file, Make make) {
     throw std::runtime_error(
         fmt::format("mesh file \"{}\": does not fit into memory; give a smaller mesh", file.string()));
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(
-        fmt::format("mesh file \"{}\": {}", file.string(), one_line_of_mesh_file(error.what())));
+    throw std::runtime_error(fmt::format("mesh file \"{}\": {}", file.string(), one_line(error.what())));
   }
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -14,8 +13,11 @@
 
 #include <fmt/format.h>
 
+#include "host/talk.hpp"
 #include "host/text.hpp"
+#include "sw_ref/mesh/bad_positions.hpp"
 #include "sw_ref/mesh/decimal.hpp"
+#include "sw_ref/mesh/finite.hpp"
 #include "sw_ref/mesh/mtl_reader.hpp"
 #include "sw_ref/mesh/obj_lines.hpp"
 #include "sw_ref/mesh/obj_words.hpp"
@@ -52,7 +54,13 @@ class ObjReader {
     if (farthest_ > mesh_.positions.size())
       reject(fmt::format("line {}: a face refers to vertex {}; the file has {}", farthest_line_, farthest_,
                          vertices()));
+    bad_.refuse_used(mesh_, [&](std::size_t vertex, std::size_t line) {
+      const glm::dvec3& p = mesh_.positions[vertex];
+      reject(fmt::format("line {}: a vertex lies at ({}, {}, {}); coordinates must be finite", line, p.x, p.y,
+                         p.z));
+    });
     for (FileMesh::Group& group : mesh_.groups) group.surface = surface(group.material);
+    note_transparent();
     return std::move(mesh_);
   }
 
@@ -77,9 +85,7 @@ class ObjReader {
       lines_.fail(fmt::format("a vertex has {} numbers; allowed are 3, with a weight 4, with a colour 6 or 7",
                               count));
     const glm::dvec3 position(numbers[0], numbers[1], numbers[2]);
-    if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
-      lines_.fail(fmt::format("a vertex lies at ({}, {}, {}); coordinates must be finite", position.x,
-                              position.y, position.z));
+    if (!has_finite_coordinates(position)) bad_.add(mesh_.positions.size(), lines_.number());
     if (mesh_.positions.size() == most_places) lines_.fail("has more than 4294967295 vertices");
     mesh_.positions.push_back(position);
   }
@@ -169,7 +175,7 @@ class ObjReader {
   }
 
   /// A name may hold a #. If no file defines it, the # begins a comment.
-  [[nodiscard]] std::optional<Material> surface(std::string& name) const {
+  [[nodiscard]] std::optional<Material> surface(std::string& name) {
     auto found = materials_.find(name);
     if (found == materials_.end()) {
       const std::size_t comment = name.find(" #");
@@ -178,7 +184,22 @@ class ObjReader {
       if (found == materials_.end()) return std::nullopt;
       name = found->first;
     }
-    return surface_of(found->second);
+    const MtlMaterial& material = found->second;
+    if (!material.opacity && material.opaque() < 1.0F) transparent_.insert(found->first);
+    return surface_of(material);
+  }
+
+  /// Some programs write Tr 1 for opaque materials.
+  void note_transparent() const {
+    if (transparent_.empty()) return;
+    const std::string& name = *transparent_.begin();
+    const MtlMaterial& material = materials_.at(name);
+    host::note(one_line(fmt::format(
+        "mesh file \"{}\": material \"{}\" is {}transparent, as it has Tr {} and no d; write d 1 if it is "
+        "opaque{}",
+        file_.string(), host::shortened(name), material.opaque() > 0.0F ? "" : "wholly ",
+        material.transparency.value_or(0.0F),
+        transparent_.size() == 1 ? "" : fmt::format("; {} more are like it", transparent_.size() - 1))));
   }
 
   ObjLines lines_;
@@ -186,11 +207,13 @@ class ObjReader {
   std::size_t most_names_;  // bytes
   std::size_t names_ = 0;
   FileMesh mesh_;
+  BadPositions bad_;
   std::vector<std::uint32_t> corners_;
   std::string name_;
   std::string material_;
   MtlMaterials materials_;
   std::set<std::string> read_files_;
+  std::set<std::string> transparent_;  // materials of faces, by Tr alone
   // A face may stand before its vertices. The largest index that did:
   std::uint64_t farthest_ = 0;
   std::size_t farthest_line_ = 0;

@@ -1,18 +1,16 @@
 // The numbers of a PLY body, one after the other. Text and binary bodies have the same functions:
-//   begin_row()       goes to the next row; nothing is read yet
-//   next(type, value) reads a number; false if the row or the file has no more
+//   next(type, value) reads a number; false if the file has no more
 //   skip(type, count) leaves numbers out; false as next()
-//   end_row()         refuses a row that has more numbers
 //   end()             refuses what stands behind the last row
-//   place()           "line 12" or "byte 345", of what was read last
-//   is_cut()          after next() was false: nothing is left of the file
+//   place()           of what was read last, in `unit`
 //   least_bytes(type) that a number has
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <string>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -27,10 +25,10 @@ namespace hitpipe::ref {
 template <bool swapped>
 class PlyBinaryBody {
  public:
+  static constexpr std::string_view unit = "byte";
+
   PlyBinaryBody(std::string_view bytes, std::size_t at) : bytes_(bytes), at_(at), last_(at) {}
 
-  void begin_row() {}
-  void end_row() {}
   bool next(const PlyScalar& type, double& value) {
     last_ = at_;
     if (bytes_.size() - at_ < type.bytes) return false;
@@ -65,8 +63,7 @@ class PlyBinaryBody {
       reject(fmt::format("byte {}: {} bytes stand behind the last element; allowed are none, or line ends",
                          at_, bytes_.size() - at_));
   }
-  [[nodiscard]] std::string place() const { return fmt::format("byte {}", last_); }
-  [[nodiscard]] bool is_cut() const { return true; }
+  [[nodiscard]] std::size_t place() const { return last_; }
   [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
   [[nodiscard]] static std::size_t least_bytes(const PlyScalar& type) { return type.bytes; }
 
@@ -89,34 +86,20 @@ class PlyBinaryBody {
   std::size_t last_;
 };
 
-/// A row is a line. Empty lines are skipped.
+/// White space is anywhere between numbers.
 class PlyTextBody {
  public:
-  PlyTextBody(std::string_view bytes, const PlyHeader& header)
-      : bytes_(bytes), at_(header.bytes), line_(header.lines) {}
+  static constexpr std::string_view unit = "line";
 
-  void begin_row() {
-    std::size_t length = 0;
-    do {
-      if (at_ >= bytes_.size()) {
-        row_ = {};
-        return;
-      }
-      // A file has one kind of line end, so the search for the other one must not run to the end each time.
-      const std::string_view rest = bytes_.substr(at_);
-      length = 0;
-      while (length < rest.size() && rest[length] != '\n' && rest[length] != '\r') ++length;
-      row_ = rest.substr(0, length);
-      at_ += length + (rest.substr(length).starts_with("\r\n") ? 2 : 1);
-      ++line_;
-    } while (row_.find_first_not_of(blanks) == std::string_view::npos);
-  }
+  PlyTextBody(std::string_view bytes, const PlyHeader& header)
+      : bytes_(bytes), at_(header.bytes), line_(header.lines + 1) {}
+
   bool next(const PlyScalar& type, double& value) {
     const std::string_view word = next_word();
     if (word.empty()) return false;
     const auto number = type.kind == PlyScalar::floating && type.bytes == 4 ? as_double(decimal<float>(word))
                                                                             : decimal<double>(word);
-    if (!number) reject(fmt::format("{}: \"{}\" is not a number", place(), host::shortened(word)));
+    if (!number) reject(fmt::format("line {}: \"{}\" is not a number", line_, host::shortened(word)));
     value = *number;
     return true;
   }
@@ -127,44 +110,38 @@ class PlyTextBody {
     }
     return true;
   }
-  void end_row() {
-    const std::string_view word = next_word();
-    if (!word.empty())
-      reject(fmt::format(
-          "{}: \"{}\" stands behind the row's last number; a row has one number for each property", place(),
-          host::shortened(word)));
-  }
   void end() {
-    begin_row();
     const std::string_view word = next_word();
     if (!word.empty())
-      reject(fmt::format("{}: \"{}\" stands behind the last element; the header must announce all rows",
-                         place(), host::shortened(word)));
+      reject(
+          fmt::format("line {}: \"{}\" stands behind the last element; the header must announce all numbers",
+                      line_, host::shortened(word)));
   }
-  [[nodiscard]] std::string place() const { return fmt::format("line {}", line_); }
-  [[nodiscard]] bool is_cut() const {
-    return bytes_.find_first_not_of(" \t\r\n", at_) == std::string_view::npos;
-  }
-  [[nodiscard]] std::size_t left() const { return bytes_.size() - std::min(at_, bytes_.size()); }
+  [[nodiscard]] std::size_t place() const { return line_; }
+  [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
   [[nodiscard]] static std::size_t least_bytes(const PlyScalar&) { return 2; }  // a digit and a blank
 
  private:
-  static constexpr std::string_view blanks = " \t\v\f";
-
   static std::optional<double> as_double(std::optional<float> number) {
     return number ? std::optional<double>(*number) : std::nullopt;
   }
   std::string_view next_word() {
-    row_.remove_prefix(std::min(row_.find_first_not_of(blanks), row_.size()));
-    const std::string_view word = row_.substr(0, row_.find_first_of(blanks));
-    row_.remove_prefix(word.size());
+    for (; at_ < bytes_.size(); ++at_) {
+      const char c = bytes_[at_];
+      if (c == '\n' || (c == '\r' && bytes_.substr(at_ + 1, 1) != "\n"))
+        ++line_;
+      else if (c != ' ' && c != '\t' && c != '\v' && c != '\f' && c != '\r')
+        break;
+    }
+    const std::size_t end = std::min(bytes_.find_first_of(" \t\v\f\r\n", at_), bytes_.size());
+    const std::string_view word = bytes_.substr(at_, end - at_);
+    at_ = end;
     return word;
   }
 
   std::string_view bytes_;
   std::size_t at_;
   std::size_t line_;
-  std::string_view row_;
 };
 
 }  // namespace hitpipe::ref

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "host/text.hpp"
-#include "sw_ref/mesh/finite.hpp"
+#include "sw_ref/mesh/bad_positions.hpp"
 #include "sw_ref/mesh/ply_body.hpp"
 #include "sw_ref/mesh/ply_header.hpp"
 #include "sw_ref/reject.hpp"
@@ -35,6 +37,11 @@ class PlyWalk {
         skip_element();
     }
     body_.end();
+    for (const PlyElement& element : header.elements) {
+      if (element.name == "vertex")
+        bad_.refuse_used(
+            mesh_, [&](std::size_t vertex, std::size_t place) { refuse_vertex(element, vertex, place); });
+    }
   }
   FileMesh take() { return std::move(mesh_); }
 
@@ -46,71 +53,79 @@ class PlyWalk {
     return std::min<std::size_t>(element_->count, body_.left() / least);
   }
 
-  [[noreturn]] void refuse_short_row(const PlyProperty& property) const {
-    if (body_.is_cut())
-      reject(fmt::format("cut short in element {} {}; the header announces {}",
-                         host::shortened(element_->name), row_, element_->count));
-    reject(fmt::format(
-        "{}: element {} {} has too few numbers for \"{}\"; a row has one number for each property",
-        body_.place(), host::shortened(element_->name), row_, host::shortened(property.name)));
+  [[noreturn]] void refuse_short_file() const {
+    reject(fmt::format("cut short in element {} {}; the header announces {}", host::shortened(element_->name),
+                       row_, element_->count));
   }
 
-  double number(const PlyProperty& property, const PlyScalar& type) {
+  double number(const PlyScalar& type) {
     double value = 0;
-    if (!body_.next(type, value)) refuse_short_row(property);
+    if (!body_.next(type, value)) refuse_short_file();
     return value;
   }
 
   std::uint64_t entries(const PlyProperty& property) {
-    const double entries = number(property, *property.count);
+    const double entries = number(*property.count);
     if (!(entries >= 0 && entries <= UINT32_MAX) || entries != std::floor(entries))
-      reject(fmt::format("{}: element {} {} has a list of {} entries; allowed are 0 and more", body_.place(),
+      reject(fmt::format("{}: element {} {} has a list of {} entries; allowed are 0 and more", place(),
                          host::shortened(element_->name), row_, entries));
     return static_cast<std::uint64_t>(entries);
   }
 
   void skip(const PlyProperty& property) {
-    if (!body_.skip(property.type, property.count ? entries(property) : 1)) refuse_short_row(property);
+    if (!body_.skip(property.type, property.count ? entries(property) : 1)) refuse_short_file();
   }
 
   void skip_element() {
     for (row_ = 0; row_ < element_->count; ++row_) {
-      body_.begin_row();
       for (const PlyProperty& property : element_->properties) skip(property);
-      body_.end_row();
     }
   }
 
-  double coordinate(const PlyProperty& property) {
-    const double value = number(property, property.type);
-    if (property.type.kind == PlyScalar::floating) return value;
-    const bool is_signed = property.type.kind == PlyScalar::signed_int;
-    const double end = std::ldexp(1.0, 8 * property.type.bytes - (is_signed ? 1 : 0));
-    if (value != std::floor(value) || value < (is_signed ? -end : 0.0) || value >= end)
-      reject(fmt::format("{}: {} of vertex {} is {}; allowed are the numbers of type {}", body_.place(),
-                         property.name, row_, value, property.type.name));
-    return value;
+  [[nodiscard]] std::string place() const { return fmt::format("{} {}", Body::unit, body_.place()); }
+
+  /// Text may hold any number, whatever the type.
+  static bool has_type(double value, const PlyScalar& type) {
+    if (type.kind == PlyScalar::floating) return std::isfinite(value);
+    const bool is_signed = type.kind == PlyScalar::signed_int;
+    const double end = std::ldexp(1.0, 8 * type.bytes - (is_signed ? 1 : 0));
+    return value == std::floor(value) && value >= (is_signed ? -end : 0.0) && value < end;
+  }
+
+  [[noreturn]] void refuse_vertex(const PlyElement& element, std::size_t vertex, std::size_t place) const {
+    const glm::dvec3& p = mesh_.positions[vertex];
+    for (const PlyProperty& property : element.properties) {
+      const int axis = axis_of(property);
+      if (axis >= 0 && property.type.kind != PlyScalar::floating && !has_type(p[axis], property.type))
+        reject(fmt::format("{} {}: {} of vertex {} is {}; allowed are the numbers of type {}", Body::unit,
+                           place, property.name, vertex, p[axis], property.type.name));
+    }
+    reject(fmt::format("{} {}: vertex {} lies at ({}, {}, {}); coordinates must be finite", Body::unit, place,
+                       vertex, p.x, p.y, p.z));
+  }
+
+  /// 0 to 2 for x, y and z.
+  static int axis_of(const PlyProperty& p) {
+    return p.name == "x" ? 0 : p.name == "y" ? 1 : p.name == "z" ? 2 : -1;
   }
 
   void read_vertices() {
-    // Where each property goes: 0 to 2 are x, y, z.
     std::vector<int> axes;
-    for (const PlyProperty& p : element_->properties)
-      axes.push_back(p.name == "x" ? 0 : p.name == "y" ? 1 : p.name == "z" ? 2 : -1);
+    for (const PlyProperty& p : element_->properties) axes.push_back(axis_of(p));
     mesh_.positions.reserve(likely_rows());
     for (row_ = 0; row_ < element_->count; ++row_) {
-      body_.begin_row();
       glm::dvec3 p{};
+      bool good = true;
       for (std::size_t k = 0; k < axes.size(); ++k) {
-        if (axes[k] < 0)
-          skip(element_->properties[k]);
-        else
-          p[axes[k]] = coordinate(element_->properties[k]);
+        const PlyProperty& property = element_->properties[k];
+        if (axes[k] < 0) {
+          skip(property);
+          continue;
+        }
+        p[axes[k]] = number(property.type);
+        good = good && has_type(p[axes[k]], property.type);
       }
-      body_.end_row();
-      if (!has_finite_coordinates(p))
-        reject(fmt::format("{}: vertex {} lies at ({}, {}, {}); coordinates must be finite", body_.place(),
-                           row_, p.x, p.y, p.z));
+      if (!good) bad_.add(mesh_.positions.size(), body_.place());
       mesh_.positions.push_back(p);
     }
   }
@@ -119,7 +134,6 @@ class PlyWalk {
     mesh_.corners.reserve(std::min<std::size_t>(3 * likely_rows(), body_.left()));
     std::vector<std::uint32_t> face;
     for (row_ = 0; row_ < element_->count; ++row_) {
-      body_.begin_row();
       for (const PlyProperty& property : element_->properties) {
         if (!is_ply_vertex_list(property)) {
           skip(property);
@@ -128,7 +142,6 @@ class PlyWalk {
         face.clear();
         for (std::uint64_t left = entries(property); left > 0; --left) face.push_back(index(property));
       }
-      body_.end_row();
       if (face.size() > std::numeric_limits<std::uint32_t>::max() - mesh_.corners.size())
         reject("the faces have more than 4294967295 corners, which is the most allowed");
       mesh_.add_face(face);
@@ -136,15 +149,16 @@ class PlyWalk {
   }
 
   std::uint32_t index(const PlyProperty& property) {
-    const double index = number(property, property.type);
+    const double index = number(property.type);
     if (index >= 0 && index < static_cast<double>(vertices_) && index == std::floor(index))
       return static_cast<std::uint32_t>(index);
-    reject(fmt::format("{}: face {} refers to vertex {}; the file has {}", body_.place(), row_, index,
+    reject(fmt::format("{}: face {} refers to vertex {}; the file has {}", place(), row_, index,
                        vertices_ == 0 ? "no vertex" : fmt::format("vertices 0 to {}", vertices_ - 1)));
   }
 
   Body body_;
   FileMesh mesh_;
+  BadPositions bad_;
   std::uint64_t vertices_ = 0;
   const PlyElement* element_ = nullptr;
   std::uint64_t row_ = 0;

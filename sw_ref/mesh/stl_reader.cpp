@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -22,17 +23,20 @@ std::uint32_t stl_word(std::string_view bytes, std::size_t at) {
   return word;
 }
 
+/// Why a file is no text, which may have been meant as one.
+[[noreturn]] void reject_stl(std::string_view bytes, const std::string& binary) {
+  reject(fmt::format(
+      "is neither a text STL ({}) nor a binary one whose length fits ({})",
+      bytes.starts_with("solid") ? "it must have \"facet\" behind its name" : "it must begin with \"solid\"",
+      binary));
+}
+
 FileMesh read_stl_binary(std::string_view bytes, std::size_t facets) {
   const std::size_t end = stl_header_bytes + stl_facet_bytes * facets;
-  if (bytes.size() < end)
-    reject(
-        fmt::format("is cut short; the binary STL announces {} facets, which need {} bytes, the file has {}",
-                    facets, end, bytes.size()));
-  if (bytes.size() - end >= stl_facet_bytes)
-    reject(
-        fmt::format("the binary STL announces {} facets, which end at byte {}; {} bytes stand behind them, "
-                    "allowed are 49",
-                    facets, end, bytes.size() - end));
+  if (bytes.size() < end || bytes.size() - end >= stl_facet_bytes)
+    reject_stl(bytes,
+               fmt::format("it announces {} facets, which need {} bytes and up to 49 more; the file has {}",
+                           facets, end, bytes.size()));
   FileMesh mesh;
   mesh.positions.reserve(3 * facets);
   mesh.corners.reserve(3 * facets);
@@ -56,10 +60,7 @@ FileMesh read_stl(std::string_view bytes) {
   const bool exact = has_header && bytes.size() == stl_header_bytes + stl_facet_bytes * facets;
   if (!exact && begins_as_stl_text(bytes)) return read_stl_text(bytes);
   if (!has_header)
-    reject(fmt::format(
-        "does not begin with \"solid\" as a text STL does; a binary STL has 84 bytes or more, the "
-        "file has {}",
-        bytes.size()));
+    reject_stl(bytes, fmt::format("it must have 84 bytes or more; the file has {}", bytes.size()));
   return read_stl_binary(bytes, facets);
 }
 

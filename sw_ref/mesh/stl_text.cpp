@@ -14,12 +14,16 @@
 namespace hitpipe::ref {
 namespace {
 
-constexpr std::string_view stl_line_ends = "\r\n";
+constexpr std::string_view stl_blanks = " \t\v\f";
 
 bool is_stl_word(std::string_view word, std::string_view lower_case) {
   return std::equal(word.begin(), word.end(), lower_case.begin(), lower_case.end(), [](char a, char b) {
     return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b;
   });
+}
+
+bool begins_with_stl_word(std::string_view word, std::string_view lower_case) {
+  return is_stl_word(word.substr(0, lower_case.size()), lower_case);
 }
 
 class StlWords {
@@ -46,19 +50,58 @@ class StlWords {
     at_ += word.size();
     return word;
   }
-  /// The rest of the line without blanks around it.
-  std::string_view rest_of_line() {
-    std::string_view rest = text_.substr(at_);
-    rest = rest.substr(0, rest.find_first_of(stl_line_ends));
-    at_ += rest.size();
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
-    return rest.substr(0, rest.find_last_not_of(" \t") + 1);
+  /// The name behind "solid". It goes up to the end of the line, or to a facet in it; or to the solid's end, if
+  /// nothing of the solid is in the next line.
+  std::string_view name_of_solid() {
+    bool may_end = true;
+    return name([&](const StlWords& here) {
+      if (here.is_at_facet()) return true;
+      if (!may_end || !here.is_at_end()) return false;
+      StlWords behind = here;
+      behind.at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
+      const std::string_view word = behind.peek();
+      return may_end = word.empty() || begins_with_stl_word(word, "solid");
+    });
+  }
+  /// The name behind "endsolid", up to the end of the line or to another whole solid in it.
+  void skip_name_of_end() {
+    bool may_begin = true;
+    name([&](const StlWords& here) {
+      StlWords ahead = here;
+      if (!may_begin || !is_stl_word(ahead.next(), "solid")) return false;
+      ahead.name_of_solid();
+      return may_begin = ahead.line_ == line_ && ahead.is_in_line();
+    });
+  }
+  [[nodiscard]] bool is_at_facet() const {
+    StlWords ahead = *this;
+    return is_stl_word(ahead.next(), "facet") && is_stl_word(ahead.next(), "normal") &&
+           decimal<double>(ahead.next());
+  }
+  [[nodiscard]] bool is_at_end() const {
+    StlWords ahead = *this;
+    const std::string_view word = ahead.next();
+    return begins_with_stl_word(word, "endsolid") ||
+           (is_stl_word(word, "end") && begins_with_stl_word(ahead.next(), "solid"));
   }
   [[nodiscard]] std::size_t line() const { return line_; }
 
   void expect(std::string_view lower_case) {
     const std::string_view word = next();
     if (!is_stl_word(word, lower_case)) refuse(word, lower_case);
+  }
+  /// A name may follow "solid" without a blank.
+  void expect_solid() {
+    const std::string_view word = peek();
+    if (!begins_with_stl_word(word, "solid")) refuse(word, "solid");
+    at_ += std::string_view("solid").size();
+  }
+  /// At is_at_end().
+  void skip_end_of_solid() {
+    peek();
+    at_ += std::string_view("end").size();
+    expect_solid();
+    skip_name_of_end();
   }
   /// Such as "endloop" or "end loop".
   void expect_end(std::string_view what) {
@@ -93,6 +136,25 @@ class StlWords {
   }
 
  private:
+  [[nodiscard]] bool is_in_line() const {
+    return at_ < text_.size() && text_[at_] != '\r' && text_[at_] != '\n';
+  }
+
+  /// Words of this line up to one where `ends` is true.
+  template <class Ends>
+  std::string_view name(Ends ends) {
+    const auto skip_blanks = [&] { at_ = std::min(text_.find_first_not_of(stl_blanks, at_), text_.size()); };
+    skip_blanks();
+    const std::size_t first = at_;
+    std::size_t last = at_;
+    while (is_in_line() && !ends(*this)) {
+      next();
+      last = at_;
+      skip_blanks();
+    }
+    return text_.substr(first, last - first);
+  }
+
   std::string_view text_;
   std::size_t at_ = 0;
   std::size_t line_ = 1;
@@ -118,27 +180,25 @@ void read_stl_facet(StlWords& words, FileMesh& mesh) {
 
 bool begins_as_stl_text(std::string_view bytes) {
   StlWords words(bytes);
-  if (!is_stl_word(words.next(), "solid")) return false;
+  if (!begins_with_stl_word(words.peek(), "solid")) return false;
   if (bytes.find('\0') == std::string_view::npos) return true;
-  words.rest_of_line();
-  const std::string_view second = words.next();
-  return is_stl_word(second, "facet") || is_stl_word(second, "endsolid") || is_stl_word(second, "end");
+  words.expect_solid();
+  words.name_of_solid();
+  return words.is_at_end() || is_stl_word(words.next(), "facet");
 }
 
 FileMesh read_stl_text(std::string_view text) {
   StlWords words(text);
   FileMesh mesh;
   do {
-    words.expect("solid");
-    mesh.groups.push_back({std::string(words.rest_of_line()), "", {}, mesh.faces()});
-    for (;;) {
+    words.expect_solid();
+    mesh.groups.push_back({std::string(words.name_of_solid()), "", {}, mesh.faces()});
+    while (!words.is_at_end()) {
       const std::string_view word = words.peek();
-      if (is_stl_word(word, "endsolid") || is_stl_word(word, "end")) break;
       if (!is_stl_word(word, "facet")) words.refuse(word, "facet\" or \"endsolid");
       read_stl_facet(words, mesh);
     }
-    words.expect_end("solid");
-    words.rest_of_line();
+    words.skip_end_of_solid();
   } while (!words.peek().empty());
   return mesh;
 }

@@ -7,7 +7,7 @@
 
 namespace hitpipe::ref {
 
-/// True if the bytes begin as the text form does, as far as they go: "solid", a line, "facet" or an end.
+/// True if the bytes begin as the text form does, as far as they go: "solid", a name, "facet" or an end.
 [[nodiscard]] bool begins_as_stl_text(std::string_view bytes);
 
 [[nodiscard]] FileMesh read_stl_text(std::string_view text);

@@ -16,6 +16,7 @@
 #include "host/outputs.hpp"
 #include "host/text.hpp"
 #include "sw_ref/mesh/mesh_file.hpp"
+#include "sw_ref/reject.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "sw_ref/scene/json_place.hpp"
 #include "sw_ref/scene/mesh_scene.hpp"
@@ -202,13 +203,6 @@ SceneDescription read(const std::filesystem::path& file, std::optional<std::size
   return scene;
 }
 
-/// Text quoted from the file can contain line breaks and other control characters.
-std::string as_one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
-  return text;
-}
-
 }  // namespace
 
 bool is_scene_file(const std::filesystem::path& file) {
@@ -222,7 +216,7 @@ SceneDescription read_scene_file(const std::filesystem::path& file, std::optiona
   try {
     return read(file, triangles);
   } catch (const std::exception& error) {
-    throw std::runtime_error(fmt::format("scene file \"{}\": {}", file.string(), as_one_line(error.what())));
+    throw std::runtime_error(fmt::format("scene file \"{}\": {}", file.string(), one_line(error.what())));
   }
 }
 

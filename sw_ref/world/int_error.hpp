@@ -9,6 +9,7 @@
 #include "hls/box/major_format.hpp"
 #include "hls/world/world_format.hpp"
 #include "sw_ref/hierarchy/load_bvh.hpp"
+#include "sw_ref/judge/interval.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "sw_ref/trace/tracer.hpp"
@@ -37,6 +38,8 @@ struct IntError {
   double largest_difference = 0;            ///< of a channel
   TraceCounts exact;                        ///< the same rays in the integer world, with exact boxes
   std::vector<TraceCounts> with;            ///< with the boxes of each format
+
+  [[nodiscard]] Share different() const { return {different_rays, rays}; }
 };
 
 /// The largest difference of a channel at which two pixels count as the same.

@@ -111,7 +111,7 @@ with tempfile.TemporaryDirectory() as name:
         wrong.append(f"stiffness.csv: log2_ratio is one of {ratios}")
     check_notes(out / "stiff/stiffness.csv-metadata.json", ["stiffness.csv"])
 
-    run(f"report {small} --bits 12/12,12+1/10 --tests 600 --out {out}/report")
+    run(f"report int_slabs,int_major {small} --bits 12/12,12+1/10 --tests 600 --out {out}/report")
     tables = sorted((out / "report").glob("*.csv"))
     for table in tables:
         check(f"report/{table.name}", table.read_text())

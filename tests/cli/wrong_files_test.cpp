@@ -1,9 +1,11 @@
 // Files, folders and tools that a command cannot use (tests/cli/wrong_use.hpp).
 #include <cstdlib>
 
+#include <gmock/gmock.h>
 #include <sys/wait.h>
 
 #include "host/address_sanitizer.hpp"
+#include "host/process.hpp"
 #include "tests/cli/wrong_use.hpp"
 
 namespace hitpipe::cli::wrong_files_test {
@@ -92,6 +94,20 @@ TEST_F(WrongFiles, OneFileForTwoOutputs) {
         shared("DIR/b.png", "--box-map", "--extra-box-map")},
        {"bvh --scene spheres --out OUT.hex --records OUT.hex", shared("OUT.hex", "--out", "--records")}});
   EXPECT_EQ(contents_of(folder_.path() / "a.png"), "");
+}
+
+/// A program that was copied alone.
+TEST_F(WrongFiles, TheImageLibraryIsMissing) {
+  fs::create_directory(folder_.path() / "bin");
+  const fs::path program = folder_.path() / "bin" / "hitpipe";
+  fs::copy_file(HITPIPE_PROGRAM, program);
+  const host::Outcome outcome = host::run({program.string(), "render", "--scene", "spheres", "--width", "2",
+                                           "--height", "2", "--out", filled("DIR/a.png")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err,
+              testing::MatchesRegex(filled(
+                  "hitpipe: image file \"DIR/a.png\": images need DIR/lib[^ ]*/hitpipe/hitpipe_images.so, "
+                  "which is not there; a build makes it if OpenImageIO is installed\n")));
 }
 
 /// A scene that cannot be read shows that nothing was read before.

@@ -21,7 +21,7 @@ TEST_F(WrongUseOf, TheCommandLine) {
             {"sweep --out OUT", "--scene is required;"},
             {"sweep --scene spheres", "--out is required;"},
             {"list", "what is required;"},
-            {"list colours", "what: colours is none of designs, machines, libraries, scenes;"}});
+            {"list colours", "what: colours is none of designs, machines, features, libraries, scenes;"}});
   const std::string cut(60'000, 'x');
   rejected({"rtl", "--" + cut},
            "--" + cut.substr(0, 48) + "... (60002 bytes): no such option; the nearest is --axi-stream;");
@@ -407,7 +407,8 @@ TEST_F(WrongUseOf, TargetsAndBoards) {
         "bits 20/24: allowed is n+g/psS or n+g/pfBsStF with n in 8..24, g in 0..3, p in 4..32, B in -2..3, S "
         "in "
         "8..32, F in 1..8 and B at most g+F, for example 20+1/11s20"},
-       {"core implement --out OUT --target xc7 --stack 6", "--stack 6: allowed is a power of two"},
+       {"core implement --out OUT --target xc7 --stack 6",
+        "--stack 6: allowed is a power of two from 2 to 64;"},
        {"core implement --out OUT --target xc7 --simulate 9", "--simulate" + none},
        {"core implement --out OUT --target xc7 --flow-control none", "--flow-control" + none},
        {"core implement --out OUT --target xc7 --ii 2", "--ii" + none},
@@ -416,7 +417,7 @@ TEST_F(WrongUseOf, TargetsAndBoards) {
        {"core implement --out OUT --board icebreaker --rays 3",
         "--rays excludes --board: a board has a core of its own;"},
        {"core implement --out OUT --board icebreaker --data-bits 64",
-        "--data-bits excludes --board: a board's core has no AXI;"},
+        "--data-bits excludes --board: a board has a core of its own;"},
        {"core implement --out OUT --target ice40_hx --seeds 1", "--seeds requires --board;"},
        {on_chip + "xc7 --seeds 101", "--seeds: Value 101 not in range 0 to 100;"},
        {on_chip + "xc7 --simulate 9",

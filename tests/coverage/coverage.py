@@ -59,16 +59,19 @@ struct Top : Vtop {{
 """
 
 
-def replaced(text, old, new):
+def replace(file, old, new):
+    text = file.read_text()
     if len(re.findall(old, text, re.M)) != 1:
-        raise SystemExit(f"coverage: a harness has not one line {old}")
-    return re.sub(old, lambda _: new, text, flags=re.M)
+        raise SystemExit(f"coverage: {file.name} of a harness has not one line {old}")
+    file.write_text(re.sub(old, lambda _: new, text, flags=re.M))
 
 
-def harness_with_coverage(text):
-    text = replaced(text, r'^#include "V\w+\.h"$', '#include "Vtop.h"')
-    text = replaced(text, r"^using Top = V\w+;$", COUNTING_TOP)
-    return replaced(text, r'^  std::printf\("PASS', f'  {COVERAGE}->write("coverage.dat");\n  std::printf("PASS')
+def harness_with_coverage(folder):
+    """The source of the harness in the folder, which writes its coverage from now on."""
+    replace(folder / "core.hpp", r'^#include "V\w+\.h"$', '#include "Vtop.h"')
+    replace(folder / "core.hpp", r"^using Top = V\w+;$", COUNTING_TOP)
+    replace(folder / "harness.cpp", r'^  std::printf\("PASS', f'  {COVERAGE}->write("coverage.dat");\n  std::printf("PASS')
+    return folder / "harness.cpp"
 
 
 def run(command, folder):
@@ -79,12 +82,11 @@ def run(command, folder):
 
 
 def simulate(verilog, folder, top, main, jobs, sources=()):
-    """The coverage file of a simulation whose C++ is `main`."""
+    """The coverage file of a simulation whose C++ is the file `main`."""
     build = folder / f"build_{top}"
     build.mkdir()
-    (build / "main.cpp").write_text(main)
     run(["verilator", "--cc", "--exe", "--timing", *FLAGS, "--prefix", "Vtop", "--top-module", top, "-y", folder, "--Mdir", build,
-         *sources, verilog, build / "main.cpp"], folder)
+         *sources, verilog, main], folder)
     # Without optimisation it compiles in a minute and runs in a minute.
     run(["make", "-s", f"-j{jobs}", "-f", "Vtop.mk", "OPT_FAST=-O0", "OPT_SLOW=-O0", "OPT_GLOBAL=-O0", "VM_PARALLEL_BUILDS=1",
          f"USER_CPPFLAGS=-I{folder}"], build)
@@ -108,8 +110,10 @@ def measure(hitpipe, options, folder, jobs, kept):
     if kept and (kept / "harness.dat").exists():
         datas = [(kept / f"{name}.dat").read_text(errors="replace") for name in SIMULATIONS]
     else:
-        bench = simulate(folder / f"{core}.v", folder, f"{core}_tb", MAIN, jobs, [tb / f"{core}_tb.sv"])
-        harness = harness_with_coverage((tb / f"{core}_axi_harness.cpp").read_text())
+        main = folder / "main.cpp"
+        main.write_text(MAIN)
+        bench = simulate(folder / f"{core}.v", folder, f"{core}_tb", main, jobs, [tb / f"{core}_tb.sv"])
+        harness = harness_with_coverage(tb / f"{core}_axi_harness")
         datas = [bench, simulate(folder / f"{core}_axi.v", folder, f"{core}_axi", harness, jobs)]
     if kept:
         kept.mkdir(parents=True, exist_ok=True)

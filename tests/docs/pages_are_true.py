@@ -2,8 +2,9 @@
 """pages_are_true.py PROGRAM SOURCE: runs the commands of README.md and docs/*.md and compares.
 
 A block ```console holds commands behind "$ " and the lines that they print. All blocks of a page run in one new folder, where
-build/hitpipe is PROGRAM. A block ```cpp behind a line <!-- from PATH --> must stand in SOURCE/PATH, at any indentation. A sum of
-numbers with its result, such as 31 / 4 = 7.75, is exact.
+build/hitpipe is PROGRAM. A block ```cpp behind a line <!-- from PATH --> must stand in SOURCE/PATH, at any indentation. If one begins
+with #pragma once, the blocks of that path are together all of the file below its first comment. A sum of numbers with its result, such
+as 31 / 4 = 7.75, is exact.
 """
 import pathlib, re, shutil, subprocess, sys, tempfile
 from fractions import Fraction
@@ -46,7 +47,7 @@ def main():
             (folder / 'build/hitpipe').symlink_to(program)
             for block in blocks(text, 'console'):
                 for command, expected in steps(block[2]):
-                    if command.startswith(('git clone', 'make build')): continue  # that made PROGRAM
+                    if command.startswith(('git clone', 'make build', 'make demo', 'make test')): continue  # these make PROGRAM
                     result = subprocess.run(['bash', '-c', command], cwd=folder, stdout=subprocess.PIPE,
                                             stderr=subprocess.PIPE, text=True)
                     ran += 1
@@ -60,12 +61,19 @@ def main():
             if Fraction(printed) != exact:
                 wrong += 1
                 print(f'{page.relative_to(source)}: {whole}: it is {float(exact)}')
+        listed = {}
         for block in blocks(text, 'cpp'):
             if block[1] is None: continue
+            listed.setdefault(block[1], []).append(block[2])
             ran += 1
             if unindented(block[2]) not in unindented((source / block[1]).read_text()):
                 wrong += 1
                 print(f'{page.relative_to(source)}: this is not in {block[1]}:\n{block[2]}')
+        for path, parts in listed.items():
+            whole = (source / path).read_text().partition('#pragma once')
+            if whole[1] and parts[0].startswith(whole[1]) and unindented('\n'.join(parts)) != unindented(whole[1] + whole[2]):
+                wrong += 1
+                print(f'{page.relative_to(source)}: its blocks together are not {path}')
     if ran == 0 or checked < 5: print(f'the pages have {ran} commands and {checked} sums')
     sys.exit(wrong > 0 or ran == 0 or checked < 5)
 

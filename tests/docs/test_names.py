@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""test_names.py ROOT: each test that a page names as `Suite.Test`, or as `Suite.*`, is a test of the tree."""
-import pathlib, re, sys
+"""test_names.py ROOT BUILD: each test that a page names as `Suite.Test`, or as `Suite.*`, is a test of the tree, and each line of
+tests/slow_tests.txt is a test of CTest."""
+import pathlib, re, subprocess, sys
 
 root = pathlib.Path(sys.argv[1])
 tests = set()
@@ -22,4 +23,10 @@ for page in [root / 'README.md', root / 'CONTRIBUTING.md', *sorted((root / 'docs
 if named < 30:
     wrong += 1
     print(f'only {named} names of tests were found')
+listed = subprocess.run(['ctest', '--test-dir', sys.argv[2], '-N'], capture_output=True, text=True, check=True).stdout
+of_ctest = set(re.findall(r'^ *Test +#\d+: (.*)$', listed, re.M))
+for slow in (root / 'tests/slow_tests.txt').read_text().split():
+    if slow in of_ctest: continue
+    wrong += 1
+    print(f'tests/slow_tests.txt: {slow}: no such test')
 sys.exit(wrong > 0)

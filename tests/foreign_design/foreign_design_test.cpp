@@ -124,7 +124,7 @@ TEST_F(ForeignDesign, IsSwept) {
     if (cell.is_null()) empty.push_back(column);
   EXPECT_THAT(empty,
               testing::UnorderedElementsAre("set_up_divisions", "set_up_run_time_ms", "software_s_per_mray",
-                                            "software_s_per_mray_lower", "software_s_per_mray_upper"));
+                                            "software_s_per_mray_low", "software_s_per_mray_high"));
   EXPECT_GT(rows[1].at("software_s_per_mray"), 0.0);
   EXPECT_GT(rows[2].at("bytes_per_ray_4kib"), 0.0);
   EXPECT_GT(rows[2].at("energy_pj_per_box"), 0.0);
@@ -146,9 +146,10 @@ TEST_F(ForeignDesign, IsFitted) {
 }
 
 TEST_F(ForeignDesign, IsReported) {
-  const Outcome run = run_hitpipe({"report", "--scene", "waves", "--width", "16", "--height", "16", "--bits",
-                                   "12/12,12+1/10,b12m8", "--image-design", "block_slabs", "--image-bits",
-                                   "b12m8", "--tests", "500", "--out", out("report")});
+  const Outcome run =
+      run_hitpipe({"report", "--scene", "waves", "--width", "16", "--height", "16", "--bits",
+                   "12/12,12+1/10,b12m8", "--image-design", "block_slabs", "--image-bits", "b12m8", "--tests",
+                   "500", "--without", "core,fit", "--out", out("report")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const std::string page = contents_of(out("report/index.html"));
   EXPECT_THAT(page, HasSubstr("block_slabs b12m8"));
@@ -157,9 +158,10 @@ TEST_F(ForeignDesign, IsReported) {
 
 /// A report of one design looks at that design alone.
 TEST_F(ForeignDesign, IsReportedAlone) {
-  const Outcome run = run_hitpipe({"report", "block_slabs", "--scene", "waves", "--width", "16", "--height",
-                                   "16", "--bits", "b12m6,b12m8", "--image-design", "block_slabs",
-                                   "--image-bits", "b12m8", "--tests", "500", "--out", out("alone")});
+  const Outcome run = run_hitpipe(
+      {"report",  "block_slabs", "--scene",     "waves",          "--width",     "16",           "--height",
+       "16",      "--bits",      "b12m6,b12m8", "--image-design", "block_slabs", "--image-bits", "b12m8",
+       "--tests", "500",         "--without",   "core,fit",       "--out",       out("alone")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   for (const char* const table : {"rows.csv", "pipelines.csv", "stability.csv", "stiffness.csv"}) {
     const std::string text = contents_of(out("alone/" + std::string(table)));

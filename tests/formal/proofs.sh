@@ -3,6 +3,61 @@
 # everything was proved and every cover reached. They run in a folder that emit_formal wrote.
 formal=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
+# beside COMMAND...: runs it in a folder of its own, beside as many others as there are processors, or JOBS. What they
+# print is shown in the order of the calls. One that is false, or that gives no answer, sets `failed`. A solver may take
+# 20 minutes of processor time, which does not depend on what else runs.
+failed=0
+begun=0
+shown=0
+beside() {
+  local folder=row_$((++begun))
+  while (($(jobs -pr | wc -l) >= ${JOBS:-$(nproc)})); do wait -n; done
+  show
+  mkdir "$folder"
+  set -m  # A process group each, so that `stop` ends its solver too.
+  (cd "$folder" && ulimit -t 1200 && { "$@" >table; echo $? >code; mv code answer; }) </dev/null &
+  set +m
+}
+show() {
+  while [[ -f row_$((shown + 1))/answer ]]; do
+    cat "row_$((++shown))/table"
+    [[ $(<"row_$shown/answer") == 0 ]] || failed=1
+  done
+}
+# finish_beside NAME: waits for all that `beside` has begun, and exits. With PROVE=all or PROVE=new it keeps what was proved.
+finish_beside() {
+  while wait -n; [[ -n $(jobs -pr) ]]; do show; done
+  show
+  ((shown == begun)) || { echo "no answer in row_$((shown + 1))" >&2; failed=1; }
+  [[ -z ${PROVE:-} ]] || keep_proved "$1"
+  exit $failed
+}
+# known WORD... FILE...: whether the words and the files' text, without comments, are of a row of proved.txt: so nothing that
+# it was proved of has changed. Never with PROVE=all. In any case the row's folder keeps the hash.
+known() {
+  local word
+  for word in "$@"; do
+    if [[ -f $word ]]; then sed 's|//.*||' "$word"; else echo "$word"; fi
+  done | sha256sum | cut -d' ' -f1 >key
+  [[ ${PROVE:-} != all ]] && grep -q "^$(<key) " "$formal/proved.txt"
+}
+# Puts the rows of the table NAME that were proved now into proved.txt, in place of all that it has of them.
+keep_proved() {
+  local name=$1 i kept
+  ((failed == 0)) || return
+  kept=$(for ((i = 1; i <= begun; ++i)); do
+    printf '%s %s: %s\n' "$(<"row_$i/key")" "$name" "$(sed -E 's/ +(proved|found|reached|known) .*//; s/ +/ /g' "row_$i/table")"
+  done)
+  { grep -v "^[0-9a-f]* $name: " "$formal/proved.txt"; echo "$kept"; } | LC_ALL=C sort -k2 >proved && cp proved "$formal/proved.txt"
+}
+
+stop() {
+  local group
+  for group in $(jobs -pr); do kill -- "-$group"; done
+  exit 1
+}
+trap stop HUP INT TERM
+
 # smtbmc NAME STEPS OPTION...: the assertions hold, under assumptions that can be met, and the covers are met.
 smtbmc() {
   local name=$1 steps=$2

@@ -1,10 +1,8 @@
 // Scenes of the library: what they answer, what they refuse, and that no answer depends on threads or hierarchy.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numeric>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -15,62 +13,14 @@
 #include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/float_crossing.hpp"
 #include "sw_ref/world/int_scene.hpp"
+#include "tests/library/scenes.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe::scene_test {
 namespace {
 
 using testing::ElementsAre;
-
-struct Shape {
-  std::vector<Point> corners;
-  std::vector<TriangleCorners> triangles;
-
-  [[nodiscard]] Scene scene(const SceneOptions& options = {}) const { return {corners, triangles, options}; }
-};
-
-/// From 0 to `side` on each axis, counter-clockwise from outside. Corner i has the bits of i as x, y, z.
-Shape cube(float side = 1) {
-  Shape shape;
-  for (unsigned i = 0; i < 8; ++i)
-    shape.corners.push_back({(i & 1U) != 0 ? side : 0, (i & 2U) != 0 ? side : 0, (i & 4U) != 0 ? side : 0});
-  shape.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return shape;
-}
-
-/// Random triangles, many of them small, with some that share corners.
-Shape soup(std::uint32_t count, unsigned seed) {
-  std::mt19937 random(seed);
-  const auto number = [&] { return static_cast<float>(random() >> 8U) * 0x1p-23F - 1.0F; };
-  Shape shape;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Point middle;
-    for (float& x : middle) x = 0.8F * number();
-    for (int corner = 0; corner < 3; ++corner) {
-      Point at = middle;
-      for (float& x : at) x += 0.15F * number();
-      shape.corners.push_back(at);
-    }
-    shape.triangles.push_back({3 * i, 3 * i + 1, i % 5 == 4 ? 3 * i - 1 : 3 * i + 2});
-  }
-  return shape;
-}
-
-std::vector<Ray> random_rays(std::size_t count, unsigned seed) {
-  std::mt19937 random(seed);
-  const auto number = [&] { return static_cast<float>(random() >> 8U) * 0x1p-23F - 1.0F; };
-  std::vector<Ray> rays(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (float& x : rays[i].origin) x = 0.95F * number();
-    for (float& x : rays[i].direction) x = number();
-    if (i % 7 == 0) rays[i].direction[i % 3] = 0;
-    rays[i].length = i % 4 == 0 ? std::fabs(number()) : endless;
-  }
-  return rays;
-}
-
-const char* const worlds[] = {"float", "20+1s20"};
+using namespace scenes;  // NOLINT(google-build-using-namespace): what this file is about
 
 TEST(Scene, AnswersEachQuestion) {
   // Through the cube; beside it; along an edge's middle, where two triangles meet; up to its middle.
@@ -148,29 +98,6 @@ TEST(Scene, FloatWorldIsTheExactTestOfEachTriangle) {
     ASSERT_EQ(nearest.weights[i], point->weights) << i;
   }
   EXPECT_GT(hits, rays.size() / 5);
-}
-
-/// All that a scene answers, as bytes.
-std::string all_answers(const Scene& scene, int threads) {
-  const std::vector<Ray> rays = random_rays(5'000, 3);
-  std::string bytes;
-  const auto add = [&](const auto& values) {
-    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]);
-  };
-  const Nearest nearest = scene.nearest(rays, true, threads);
-  add(nearest.triangle);
-  add(nearest.t);
-  add(nearest.weights);
-  add(scene.any(rays, threads));
-  const Counts counts = scene.count(rays, threads);
-  add(counts.crossings);
-  add(counts.sides);
-  const Crossings all = scene.all(rays, threads);
-  add(all.offsets);
-  add(all.triangle);
-  add(all.t);
-  add(all.side);
-  return bytes;
 }
 
 TEST(Scene, AnswersDependNeitherOnThreadsNorOnTheHierarchy) {
@@ -293,7 +220,13 @@ TEST(Scene, RefusesWhatIsNoMeshAndNoWorld) {
   shape = cube();
   shape.triangles[5][1] = 8;
   EXPECT_EQ(refusal(shape), "triangle 5: corner 8 of 8");
-  EXPECT_THAT(refusal(cube(), {.world = "99+1s20"}), testing::HasSubstr("99"));
+  for (const std::string world :
+       {"99+1s20", "20+1s20b1c3", "20+1s20b1", "20+1s20c2", "20+1s20t9", "", "Float", "20"})
+    EXPECT_EQ(refusal(cube(), {.world = world}),
+              "world " + world +
+                  ": allowed is \"float\", or n+gsS or n+gsStF with n in 8..24, g in 0..3, S in 8..32 and "
+                  "F in 1..8, for example \"20+1s20\"");
+  EXPECT_EQ(refusal(cube(), {.world = "20+1s20t8"}), "no exception");
   const Transform one{{0, 0, 0}, 1};
   EXPECT_EQ(refusal(cube(), {.transform = &one}),
             "transform: the float world has none; rays and corners are in your units");
@@ -324,6 +257,8 @@ TEST(Scene, RefusesAHierarchyThatIsNone) {
             "node 0: children 0 and 1; they come after it and are below 3");
   EXPECT_EQ(why({{0, 4}, {0, 2}}, order), "node 1: no branch before it has it as a child");
   EXPECT_EQ(why({{0, -1}}, order), "node 0: a leaf of -1 triangles");
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { static_cast<void>(shape.scene({.order = order})); }),
+            "order of the hierarchy: it has no nodes; a hierarchy has both");
 }
 
 TEST(Scene, RefusesRaysAndNamesTheFirst) {

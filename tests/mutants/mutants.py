@@ -116,7 +116,7 @@ def main():
     options.add_argument("--proof-seconds", type=float, default=30, help="what Yosys may take for a survivor (default 30)")
     chosen = options.parse_args()
     known = Known((pathlib.Path(__file__).parent / "equivalent.txt").read_text())
-    selected = [configuration for configuration in configurations() if chosen.only in configuration.name]
+    selected = [configuration for configuration in configurations(chosen.hitpipe) if chosen.only in configuration.name]
     if not selected:
         options.error(f"--only {chosen.only}: no configuration has this in its name")
 

@@ -70,7 +70,7 @@ class Harness:
         include = pathlib.Path(root) / "include"
         self.includes = ["-I.", f"-I{include}", f"-I{include}/vltstd", f"-I{written.folder}"]
         self.kept = []
-        for source in (include / "verilated.cpp", include / "verilated_threads.cpp", written.tb / f"{written.wrapper}_harness.cpp"):
+        for source in (include / "verilated.cpp", include / "verilated_threads.cpp", written.tb / f"{written.wrapper}_harness" / "harness.cpp"):
             self.kept.append(folder / f"{source.stem}.o")
             subprocess.run(["g++", *self.FLAGS, "-O1", *self.includes, "-c", source, "-o", self.kept[-1]], cwd=folder / "c", check=True)
         if self.verdict(folder) != PASSED:

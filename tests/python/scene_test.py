@@ -1,11 +1,16 @@
-"""hitpipe.Scene: shapes, questions, refusals, and examples/inside.py."""
+"""hitpipe.Scene: shapes, questions, refusals, signals, and examples/inside.py."""
+import ctypes
+import ctypes.util
 import os
 import pathlib
+import platform
 import re
+import signal
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 import unittest
 
 import hitpipe
@@ -27,6 +32,25 @@ def cube(side=1.0):
 def rays_of(*rows):
     return numpy.array(rows, numpy.float32)
 
+
+# Is interrupted in a call that takes many minutes, as each ray crosses 2,000 boxes; the same scene then answers.
+INTERRUPTED = """
+import hitpipe, numpy
+corners = numpy.array([[i & 1, i >> 1 & 1, i >> 2 & 1] for i in range(8)]) - .5
+triangles = numpy.array([[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4], [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2],
+                         [1, 3, 7], [1, 7, 5]])
+boxes = numpy.arange(2000)
+corners = (corners[None] * (1 + boxes[:, None, None])).reshape(-1, 3).astype(numpy.float32)
+triangles = (triangles[None] + 8 * boxes[:, None, None]).reshape(-1, 3).astype(numpy.uint32)
+scene = hitpipe.Scene(corners, triangles)
+points = numpy.repeat(numpy.float32([[.1, .2, .3]]), 3_000_000, 0)
+rays = numpy.concatenate([points, numpy.repeat(numpy.float32([[.5, .4, 1, numpy.inf]]), len(points), 0)], 1)
+print("asks", flush=True)
+try:
+    CALL
+except KeyboardInterrupt:
+    print("interrupted", scene.count(rays[:1]).crossings[0], flush=True)
+"""
 
 THROUGH = rays_of([-1, .25, .5, 2, 0, 0, numpy.inf], [-1, 2, .5, 2, 0, 0, numpy.inf])
 
@@ -94,6 +118,63 @@ class Scene(unittest.TestCase):
             asker.join()
         self.assertLessEqual(seen, {.5, 1})
 
+    def test_moves_though_threads_ask_without_a_pause(self):
+        corners, triangles = cube()
+        scene = hitpipe.Scene(corners, triangles)
+        rays = numpy.repeat(THROUGH[:1], 500_000, 0)
+        asking, moved, calls = threading.Barrier(4), threading.Event(), [0, 0, 0]
+
+        def ask(asker):
+            asking.wait()
+            while not moved.is_set() and calls[asker] < 40:
+                scene.any(rays, threads=1)
+                calls[asker] += 1
+
+        askers = [threading.Thread(target=ask, args=(i,)) for i in range(3)]
+        for asker in askers:
+            asker.start()
+        asking.wait()
+        time.sleep(.1)  # until they overlap
+        scene.move(corners + numpy.float32(1))
+        moved.set()
+        for asker in askers:
+            asker.join()
+        self.assertLess(max(calls), 40)
+        self.assertFalse(scene.any(rays[:1])[0])
+
+    def test_sides_of_overlapping_solids_are_winding_numbers(self):
+        corners, triangles = cube(2)
+        scene = hitpipe.Scene(numpy.concatenate([corners, corners + numpy.float32(1)]), numpy.concatenate([triangles, triangles + numpy.uint32(8)]))
+        points = rays_of([.25, .5, .25], [1.5, 1.5, 1.5], [2.5, 2.25, 2.5], [4, 0, 0])
+        rays = numpy.concatenate([points, numpy.tile(numpy.float32([1, .5, .25, numpy.inf]), (4, 1))], 1)
+        self.assertEqual(scene.inside(points).tolist(), [True, False, True, False])
+        self.assertEqual(scene.count(rays).sides.tolist(), [1, 2, 1, 0])
+
+    def test_cube_contains_more_where_that_is_asked(self):
+        corners, triangles = cube()
+        with self.assertRaisesRegex(hitpipe.Error, r"^ray 0: its origin is \(-2\.997.* in the cube of the integer world"):
+            hitpipe.Scene(corners, triangles, "20+1s20").any(THROUGH)
+        scene = hitpipe.Scene(corners, triangles, "20+1s20", contains=THROUGH[:, :3])
+        self.assertEqual(scene.any(THROUGH).tolist(), [True, False])
+        self.assertEqual(scene.info.transform["offset"], [0, 1, .5])
+
+    def test_does_not_depend_on_the_caller_s_rounding(self):
+        libm = ctypes.CDLL(ctypes.util.find_library("m"))
+        roundings = {"x86_64": (0, 0x400, 0x800, 0xc00), "aarch64": (0, 0x400000, 0x800000, 0xc00000)}.get(platform.machine(), (0,))
+        random = numpy.random.default_rng(3)
+        rays = numpy.concatenate([random.uniform(-1, 2, (2000, 6)), numpy.full((2000, 1), numpy.inf)], 1).astype(numpy.float32)
+        corners, triangles = cube(.7)
+        found = []
+        for rounding in roundings:
+            self.assertEqual(libm.fesetround(rounding), 0)
+            try:
+                scene = hitpipe.Scene(corners, triangles, "20+1s20", contains=rays[:, :3])
+                found.append(b"".join(scene.nearest(rays, threads=threads).t.tobytes() for threads in (1, 3)))
+                self.assertEqual(libm.fegetround(), rounding)
+            finally:
+                libm.fesetround(0)
+        self.assertEqual(set(found), {found[0]})
+
     def test_refuses(self):
         corners, triangles = cube()
         scene = hitpipe.Scene(corners, triangles)
@@ -102,6 +183,19 @@ class Scene(unittest.TestCase):
                 (lambda: hitpipe.Scene(corners, triangles.astype(int)), "triangles: dtype is int64; allowed is uint32"),
                 (lambda: hitpipe.Scene(corners, triangles[:, :2]), "triangles: shape is (12, 2); allowed is (N, 3)"),
                 (lambda: hitpipe.Scene(corners[:4], triangles), "triangle 2: corner 4 of 4"),
+                (lambda: hitpipe.Scene(corners, triangles, "20+1s20b1c3"),
+                 'world 20+1s20b1c3: allowed is "float", or n+gsS or n+gsStF with n in 8..24, g in 0..3, S in 8..32 and F in 1..8, '
+                 'for example "20+1s20"'),
+                (lambda: hitpipe.Scene(corners, triangles, order=numpy.arange(12, dtype=numpy.uint32)),
+                 "nodes and order: a hierarchy of your own has both"),
+                (lambda: hitpipe.Scene(corners, triangles, nodes=numpy.array([(0, 12)], hitpipe.nodes_dtype)),
+                 "nodes and order: a hierarchy of your own has both"),
+                (lambda: hitpipe.Scene(corners, triangles, "20+1s20", contains=corners.astype(float)),
+                 "contains: dtype is float64; allowed is float32"),
+                (lambda: hitpipe.Scene(corners, triangles, contains=corners),
+                 "contains: the float world has no cube; it takes rays from everywhere"),
+                (lambda: hitpipe.Scene(corners, triangles, "20+1s20", contains=corners, transform={"offset": [0, 0, 0], "scale": 1}),
+                 "contains: a transform is given; it alone says what the cube holds"),
                 (lambda: scene.any(THROUGH.astype(float)), "rays: dtype is float64; allowed is float32, or hitpipe.rays_dtype"),
                 (lambda: scene.any(THROUGH, threads=-1), "-1 threads; allowed are 1 to 256, or 0 for one a core"),
                 (lambda: hitpipe.Scene(corners, triangles[:-1]).inside(corners),
@@ -109,6 +203,49 @@ class Scene(unittest.TestCase):
             with self.assertRaises(hitpipe.Error) as refused:
                 call()
             self.assertEqual(str(refused.exception), line)
+        line = "transform: a dict of offset, three numbers, and scale is needed, as hitpipe.fit() gives it"
+        for transform in ({}, [0, 0, 0, 1], 1, "offset scale", {"offset": [0, 0, 0]}, {"scale": 1}, {"offset": [0, 0], "scale": 1}, {"offset": 5, "scale": 1},
+                          {"offset": ["a", 0, 0], "scale": 1}, {"offset": [0, 0, 0], "scale": "one"}, {"offset": [0, 0, 0], "scale": None},
+                          {"offset": None, "scale": 1}, {"offset": [0, 0, 0, 0], "scale": 1}):
+            with self.assertRaises(hitpipe.Error, msg=str(transform)) as refused:
+                hitpipe.Scene(corners, triangles, "20+1s20", transform=transform)
+            self.assertEqual(str(refused.exception), line)
+
+    def test_a_signal_ends_a_call_and_not_the_scene(self):
+        for call in ("scene.count(rays)", "scene.inside(points, threads=3)", "scene.all(rays, threads=1)"):
+            child = subprocess.Popen([sys.executable, "-c", INTERRUPTED.replace("CALL", call)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                     text=True, env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+            self.addCleanup(child.kill)
+            self.assertEqual(child.stdout.readline(), "asks\n")
+            time.sleep(.1)
+            child.send_signal(signal.SIGINT)
+            out, error = child.communicate(timeout=30)
+            self.assertEqual((child.returncode, out, error), (0, "interrupted 2000\n", ""), call)
+
+    def test_a_signal_s_handler_may_ask_the_same_scene(self):
+        scene, unit = hitpipe.Scene(*cube()), hitpipe.Unit("int_slabs")
+        rays, boxes = numpy.repeat(THROUGH, 100_000, 0) / numpy.float32(4), numpy.zeros((200_000, 2, 3), numpy.float32)
+        rays[:, 6] = numpy.inf
+        answers = []
+
+        def handler(number, frame):
+            answers.append(scene.any(rays[:1])[0])
+            scene.move(cube()[0])
+            answers.append(unit.test_pairs(rays[:1], boxes[:1]).hit[0])
+
+        before = signal.signal(signal.SIGALRM, handler)
+        signal.setitimer(signal.ITIMER_REAL, .02, .02)
+        try:
+            for call in (lambda: scene.nearest(rays), lambda: unit.test_pairs(rays, boxes)):
+                expected, limit = len(answers) + 4, time.monotonic() + 60
+                while len(answers) < expected and time.monotonic() < limit:
+                    call()
+                self.assertGreaterEqual(len(answers), expected)
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+        self.assertEqual(set(answers[0::2]), {True})
+        self.assertEqual(scene.any(THROUGH).tolist(), [True, False])
 
 
 class Inside(unittest.TestCase):

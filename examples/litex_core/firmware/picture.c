@@ -89,6 +89,9 @@ bool draw_picture(uint64_t address, uint64_t rings_address, const uint8_t* bytes
       picture[pixel] = letter_of(&hit, direction);
     }
   }
+#if CORE_HAS_RINGS
+  if (rings.wrong) printf("%s\n", rings.wrong);
+#endif
   bool once = true;
   for (int pixel = 0; pixel < pixels; ++pixel) once = once && answers[pixel] == 1;
   for (int row = 0; row < height; ++row) printf("%.*s\n", width, picture + row * width);

@@ -4,6 +4,8 @@
  *
  * Numbers: rays and boxes are binary32, in the cube [-1, 1]^3. Nothing is clamped or flushed: what is outside
  *   is refused. hitpipe_fit() and hitpipe_to_cube_...() take a scene of any size there.
+ * Arithmetic: answers do not depend on the caller's floating-point environment, neither on its rounding nor on whether
+ *   it flushes denormal numbers. Each call computes in the default one and leaves the caller's, with its flags.
  * Errors: a function that returns a status writes nothing but the error when it fails. hitpipe_error() is
  * then one line that says what is wrong and what is allowed. Ownership: the library owns every string and
  * every pointer that it gives. Only hitpipe_close() frees. Threads: two threads must not use one unit at a
@@ -37,7 +39,8 @@ typedef enum hitpipe_status {
   HITPIPE_BAD_LIBRARY = 9,  /* there is no such component library, or it lacks what the design is made of */
   HITPIPE_BAD_MESH = 10,    /* a corner that is not allowed, or a triangle of corners that are not there */
   HITPIPE_BAD_HIERARCHY = 11, /* of nodes or an order that are none */
-  HITPIPE_NOT_CLOSED = 12   /* only a closed mesh has an inside */
+  HITPIPE_NOT_CLOSED = 12,  /* only a closed mesh has an inside */
+  HITPIPE_STOPPED = 13      /* the thread's hitpipe_watch ended the call */
 } hitpipe_status;
 
 /* Why the last call of this thread that failed did so: one line, "" if none did. Valid until the next failure
@@ -46,6 +49,17 @@ HITPIPE_API const char* hitpipe_error(void);
 
 /* For example "0.2.0"; the second number changes when this interface does. */
 HITPIPE_API const char* hitpipe_version(void);
+
+/* Ends a long call before its time. */
+typedef struct hitpipe_watch {
+  int (*stop)(void* context); /* not NULL; what is not 0 ends the call */
+  void* context;
+} hitpipe_watch;
+
+/* From now on long calls of this thread ask `stop` some times a second, in this thread. A call that it ends returns
+ * HITPIPE_STOPPED; only then may a part of the answers be written. `stop` may call the library, but not with the unit
+ * of the call. NULL: nobody is asked. The watch lives until another is set. Returns the one before. */
+HITPIPE_API const hitpipe_watch* hitpipe_set_watch(const hitpipe_watch* watch);
 
 /* ---- Rays and boxes ---- */
 

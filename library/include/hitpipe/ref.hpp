@@ -4,12 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <hitpipe/ref.h>
@@ -40,6 +42,24 @@ class Error : public std::runtime_error {
 inline void check(hitpipe_status status) {
   if (status != HITPIPE_OK) throw Error(status);
 }
+
+/// While it lives, long calls of this thread ask `stop` now and then. If it says so they throw an Error of
+/// HITPIPE_STOPPED.
+class StopWhen {
+ public:
+  explicit StopWhen(std::function<bool()> stop)
+      : stop_(std::move(stop)),
+        watch_{[](void* own) { return static_cast<StopWhen*>(own)->stop_() ? 1 : 0; }, this},
+        before_(hitpipe_set_watch(&watch_)) {}
+  ~StopWhen() { hitpipe_set_watch(before_); }
+  StopWhen(const StopWhen&) = delete;
+  StopWhen& operator=(const StopWhen&) = delete;
+
+ private:
+  std::function<bool()> stop_;
+  hitpipe_watch watch_;
+  const hitpipe_watch* before_;
+};
 
 [[nodiscard]] inline std::vector<DesignInfo> designs() {
   std::vector<DesignInfo> all(hitpipe_design_count());

@@ -1,8 +1,8 @@
 /* Scenes and rays in software: nearest and any hit, crossings that are counted exactly once, all hits, inside. C99;
  * <hitpipe/scene.hpp> is the same for C++20, and hitpipe.Scene for Python. docs/library.md has examples.
  *
- * Answers are exact: they depend neither on the processor, nor on the compiler, the hierarchy or the number of
- * threads. There is no epsilon. Two worlds:
+ * Answers are exact: they depend neither on the processor and how its floating-point arithmetic is set, nor on the
+ * compiler, the hierarchy or the number of threads. There is no epsilon. Two worlds:
  *   the float world   corners and rays are the binary32 numbers that you give, in units of your own, up to 2^24 in
  *                     magnitude. Nothing is rounded.
  *   an integer world  "20+1s20" as docs/integer_world.md has it: corners and rays are rounded to its grid, once, and
@@ -11,8 +11,9 @@
  * nearest hits at the same distance the triangle with the lowest number is the answer. Crossings count each surface
  * once: a ray through an edge that two triangles share crosses one of them, or none and both where it only touches
  * ("Exactly once" in docs/integer_world.md). So a line crosses a closed mesh an even number of times, always.
- * Errors, ownership: as <hitpipe/ref.h> says. Threads: any number may ask one scene at a time. A call that changes it
- * (hitpipe_scene_move) or frees it needs it alone. */
+ * Errors, ownership: as <hitpipe/ref.h> says. Threads: any number may ask one scene at a time, and move it: a call is
+ * about the places before a move or about those after it, and does not wait for it. A call that frees it needs it
+ * alone. */
 #ifndef HITPIPE_SCENE_H
 #define HITPIPE_SCENE_H
 
@@ -24,7 +25,7 @@ extern "C" {
 
 /* Triangles by the numbers of their corners. */
 typedef struct hitpipe_mesh {
-  const float* corners;      /* corner_count * 3: x, y, z; finite, up to 2^24 in magnitude */
+  const float* corners;      /* corner_count * 3: x, y, z; those of triangles are up to 2^24 in magnitude */
   size_t corner_count;
   const uint32_t* triangles; /* triangle_count * 3: corners, each < corner_count; counter-clockwise from outside */
   size_t triangle_count;     /* up to 2^31 - 1; 0 is allowed, and nothing is ever hit */
@@ -45,10 +46,10 @@ typedef struct hitpipe_hierarchy {
 } hitpipe_hierarchy;
 
 typedef struct hitpipe_scene_options {
-  const char* world;                   /* NULL or "float"; or n+gsS: "20+1s20" */
+  const char* world;                   /* NULL or "float"; or n+gsS or n+gsStF: "20+1s20" */
   const hitpipe_hierarchy* hierarchy;  /* NULL: the library builds one, by surface area */
-  const hitpipe_transform* transform;  /* of an integer world: from your units into its cube; NULL: hitpipe_fit() of
-                                          the mesh's bounds. The float world has none. */
+  const hitpipe_transform* transform;  /* of an integer world: from your units into its cube; NULL: hitpipe_fit_scene()
+                                          without points. The float world has none. */
   int threads;                         /* that build it, up to 256; 0: one for each core */
 } hitpipe_scene_options;
 
@@ -60,6 +61,12 @@ typedef struct hitpipe_scene hitpipe_scene;
  * area, in an integer world on its grid, is allowed and never hit. */
 HITPIPE_API hitpipe_status hitpipe_scene_open(const hitpipe_mesh* mesh, const hitpipe_scene_options* options,
                                               hitpipe_scene** out);
+/* The transform that takes the mesh and these points into the cube, as hitpipe_fit() does it with the bounds of all.
+ * An integer world takes rays that begin in its cube, so the points are a camera's places, or corners of a box in which
+ * rays begin. `points` has point_count * 3 numbers with the bounds of origins. Without triangles and points nothing is
+ * moved. */
+HITPIPE_API hitpipe_status hitpipe_fit_scene(const hitpipe_mesh* mesh, const float* points, size_t point_count,
+                                             hitpipe_transform* out);
 /* NULL is allowed. */
 HITPIPE_API void hitpipe_scene_close(hitpipe_scene* scene);
 
@@ -118,7 +125,11 @@ typedef struct hitpipe_all_out {
 HITPIPE_API hitpipe_status hitpipe_all(const hitpipe_scene* scene, const hitpipe_ray* rays, size_t ray_count,
                                        int threads, const hitpipe_all_out* out);
 
-/* inside[i] = 1 if point i is inside the closed mesh, else 0. A point on the mesh is on either side. `points` has
+/* inside[i] = 1 if point i is inside the closed mesh, else 0. Inside is the even-odd rule: a ray from there crosses the
+ * mesh an odd number of times. So what two overlapping solids share is not inside, nor is a solid in another one. Of an
+ * oriented mesh hitpipe_count() has the winding number of a point as the sum of sides of any ray without an end from
+ * there: how many solids that are counter-clockwise from outside hold it, less how many that are turned; 0 is outside.
+ * A point on the mesh is on either side. `points` has
  * point_count * 3 numbers with the bounds of origins. HITPIPE_NOT_CLOSED: the mesh is not. */
 HITPIPE_API hitpipe_status hitpipe_inside(const hitpipe_scene* scene, const float* points, size_t point_count,
                                           int threads, uint8_t* inside);

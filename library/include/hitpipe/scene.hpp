@@ -32,6 +32,8 @@ struct SceneOptions {
   std::span<const Node> nodes{};         ///< a hierarchy of your own, with its order; empty: built
   std::span<const std::uint32_t> order{};
   int threads = 0;
+  /// Of an integer world whose transform is chosen: places that are to be in its cube, too, such as a camera's.
+  std::span<const Point> contains{};
 };
 
 /// One of each for each ray.
@@ -52,7 +54,7 @@ struct Crossings {
   std::vector<std::int8_t> side;
 };
 
-/// Any number of threads may ask one scene; move() needs it alone. `threads` is how many a call takes, 0: one a core.
+/// Any number of threads may ask one scene while another moves it. `threads` is how many a call takes, 0: one a core.
 class Scene {
  public:
   Scene(std::span<const Point> corners, std::span<const TriangleCorners> triangles,
@@ -60,12 +62,23 @@ class Scene {
       : corner_count_(corners.size()) {
     const hitpipe_mesh mesh{corners.empty() ? nullptr : corners.front().data(), corners.size(),
                             triangles.empty() ? nullptr : triangles.front().data(), triangles.size()};
+    if (options.nodes.empty() && !options.order.empty())
+      throw std::invalid_argument("order of the hierarchy: it has no nodes; a hierarchy has both");
     if (!options.nodes.empty() && options.order.size() != triangles.size())
       throw std::invalid_argument("order of the hierarchy: " + std::to_string(options.order.size()) +
                                   " triangles; the mesh has " + std::to_string(triangles.size()));
     const hitpipe_hierarchy hierarchy{options.nodes.data(), options.nodes.size(), options.order.data()};
-    const hitpipe_scene_options chosen{options.world.c_str(), options.nodes.empty() ? nullptr : &hierarchy,
-                                       options.transform, options.threads};
+    hitpipe_scene_options chosen{options.world.c_str(), options.nodes.empty() ? nullptr : &hierarchy,
+                                 options.transform, options.threads};
+    Transform fitted;
+    if (!options.contains.empty()) {
+      if (options.world == "float")
+        throw std::invalid_argument("contains: the float world has no cube; it takes rays from everywhere");
+      if (options.transform != nullptr)
+        throw std::invalid_argument("contains: a transform is given; it alone says what the cube holds");
+      check(hitpipe_fit_scene(&mesh, options.contains.front().data(), options.contains.size(), &fitted));
+      chosen.transform = &fitted;
+    }
     hitpipe_scene* made = nullptr;
     check(hitpipe_scene_open(&mesh, &chosen, &made));
     scene_.reset(made);
@@ -126,7 +139,8 @@ class Scene {
     found.side.resize(found.offsets.back());
     return found;
   }
-  /// 1 for each point inside the mesh, which must be closed.
+  /// 1 for each point from which a ray crosses the mesh, which must be closed, an odd number of times. Of solids that
+  /// overlap, count().sides of rays without an end are winding numbers.
   [[nodiscard]] std::vector<std::uint8_t> inside(std::span<const Point> points, int threads = 0) const {
     std::vector<std::uint8_t> in(points.size());
     if (points.empty()) return in;
@@ -147,9 +161,13 @@ class Scene {
   }
   [[nodiscard]] std::vector<std::uint8_t> core_image() const {
     std::size_t size = 0;
-    check(hitpipe_core_image(scene_.get(), nullptr, 0, &size));
-    std::vector<std::uint8_t> bytes(size);
-    check(hitpipe_core_image(scene_.get(), bytes.data(), bytes.size(), &size));
+    std::vector<std::uint8_t> bytes;
+    // Another thread may move the scene, and the image may grow.
+    do {
+      bytes.resize(size);
+      check(hitpipe_core_image(scene_.get(), bytes.data(), bytes.size(), &size));
+    } while (size > bytes.size());
+    bytes.resize(size);
     return bytes;
   }
 

@@ -112,6 +112,31 @@ TEST(BvhCommand, SaysWhereAMeshIsOpen) {
   EXPECT_EQ(sewn.at("oriented"), true);
 }
 
+TEST(BvhCommand, PrintsCornersOfTheFile) {
+  const sim::TemporaryFolder folder;
+  const std::string obj = folder.write("t.obj", "v 0 0 0\nv 4 0 0\nv 0.1 3.7 -1e-9\nf 1 2 3\n").string();
+  const std::string text = cli::printed("bvh --scene " + obj);
+  EXPECT_THAT(text, HasSubstr("\nmin                        0 0 -1e-09\n"));
+  EXPECT_THAT(text, HasSubstr("\nmax                        4 3.7 0\n"));
+  const Json made = Json::parse(cli::printed("bvh --format json --scene " + obj));
+  EXPECT_EQ(made.at("min"), (Json{0.0, 0.0, -1e-9}));
+  EXPECT_EQ(made.at("max"), (Json{4.0, 3.7, 0.0}));
+  ASSERT_EQ(made.at("first_odd_edges").size(), 3U);
+  for (const Json& edge : made.at("first_odd_edges")) {
+    for (const char* const end : {"from", "to"})
+      EXPECT_THAT((std::vector<Json>{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.1, 3.7, -1e-9}}),
+                  testing::Contains(edge.at(end)));
+  }
+  const std::string ply = folder
+                              .write("t.ply",
+                                     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty "
+                                     "float y\nproperty float z\n"
+                                     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                                     "0.1 0 0\n4 0 0\n0.1 0.3 0\n3 0 1 2\n")
+                              .string();
+  EXPECT_THAT(cli::printed("bvh --scene " + ply), HasSubstr("\nmin                        0.1 0 0\n"));
+}
+
 TEST(BvhCommand, SweepsTheLeafSizesOfAppendixB) {
   const std::string text = printed({"--sweep"});
   EXPECT_LE(widest_line(text), 80U);

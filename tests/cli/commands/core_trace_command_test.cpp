@@ -330,7 +330,7 @@ TEST(TraceCommand, RefusesWhatItCannotDo) {
     return outcome.err;
   };
   EXPECT_THAT(refused({"--rays-in-flight", "257"}), HasSubstr("1 to 256"));
-  EXPECT_THAT(refused({"--stack", "7"}), HasSubstr("--stack 7: allowed is a power of two"));
+  EXPECT_THAT(refused({"--stack", "7"}), HasSubstr("--stack 7: allowed is a power of two from 2 to 64"));
   EXPECT_THAT(refused({"--memory", "ideal,latency=9..3"}),
               HasSubstr("memory ideal: latency is 9..3; allowed is the least, and then the most"));
   EXPECT_THAT(refused({"--cache", "3"}), HasSubstr("power of two"));

@@ -24,21 +24,33 @@ window.addEventListener('load', () => {
   const root = document.documentElement;
   if (root.scrollWidth > root.clientWidth) faults.push('wider than the window: ' + root.scrollWidth);
   // What is wider than the window scrolls in its own frame.
-  for (const element of document.querySelectorAll('p, dl, pre, figcaption, table, svg, img')) {
-    if (element.closest('.scroll') || element.closest('details')) continue;
+  for (const element of document.querySelectorAll('p, dl, pre, figcaption, table, svg, img, .cards td')) {
+    if (element.closest('.rows') || element.closest('.drawing') || element.closest('details')) continue;
     if (element.getBoundingClientRect().right > root.clientWidth) faults.push('cut: ' + element.outerHTML.slice(0, 80));
   }
   // Several plots stand side by side in a large window, one takes the whole width of a telephone.
-  const plots = [...document.querySelectorAll('#error ~ .plots svg')].map((plot) => plot.getBoundingClientRect());
-  const beside = plots.filter((plot) => Math.abs(plot.top - plots[0].top) < 1).length;
-  if (beside !== (innerWidth >= 1280 ? 3 : 1)) faults.push('plots side by side: ' + beside);
+  for (const group of document.querySelectorAll('.plots')) {
+    const plots = [...group.querySelectorAll('svg')].map((plot) => plot.getBoundingClientRect());
+    const beside = plots.filter((plot) => Math.abs(plot.top - plots[0].top) < 1).length;
+    if (beside !== (innerWidth >= 1280 ? Math.min(3, plots.length) : 1)) faults.push('plots side by side: ' + beside);
+    if (plots.some((plot) => plot.width < (innerWidth >= 1280 ? 360 : innerWidth - 40)))
+      faults.push('a narrow plot: ' + group.querySelector('svg').getAttribute('aria-label'));
+  }
   // Letters of a plot are no smaller than 8 pt, as it is printed.
   for (const text of document.querySelectorAll('.plot svg text')) {
     const letters = parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a;
     const upright = Math.hypot(text.getScreenCTM().a, text.getScreenCTM().b);
     if (upright > 0 && letters > 0 && letters < 9.9 && !text.querySelector('tspan')) faults.push(`small letters, ${letters}: ${text.textContent}`);
   }
-  // Each section begins with a sentence and ends with commands.
+  // The three questions come first. Each section begins with sentences and ends with commands; so does each part begin.
+  const asked = [...document.querySelectorAll('h2')].slice(0, 3).map((title) => title.textContent);
+  if (!asked.every((title) => title.endsWith('?'))) faults.push('not the questions: ' + asked);
+  for (const question of [...document.querySelectorAll('section')].slice(0, 3)) {
+    if (!/\d.*95 %/.test(question.children[1].textContent.split('. ')[0])) faults.push('no figure with its interval: ' + question.children[1].textContent);
+  }
+  for (const part of document.querySelectorAll('h3')) {
+    if (!/^[A-Z].{20,}[.]$/.test(part.nextElementSibling.textContent)) faults.push('no sentence: ' + part.textContent);
+  }
   for (const section of document.querySelectorAll('section')) {
     const lead = section.children[1];
     if (!lead.matches('.lead') || !/^[A-Z].{20,}[.]$/.test(lead.textContent)) faults.push('no sentence: ' + section.children[0].textContent);

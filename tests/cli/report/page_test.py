@@ -18,7 +18,7 @@ import time
 
 PROGRAM = sys.argv[1]
 OPTIONS = ["report", "int_slabs,fp_slabs", "--scene", "spheres", "--width", "8", "--height", "8", "--bits", "6/6,20/24",
-           "--tests", "600", "--without", "core,schematics"]
+           "--tests", "600", "--without", "core,fit,schematics"]
 faults: list[str] = []
 
 
@@ -58,13 +58,13 @@ class Tables(html.parser.HTMLParser):
         self.inside = self.inside and tag != "td"
 
 
-def same(shown: str, kept: str, three: bool) -> bool:
-    """Whether four digits of the number, or three, or all of the text, are shown."""
+def same(shown: str, kept: str, least: int) -> bool:
+    """Whether so many digits of the number or more, or all of the text, are shown."""
     try:
         a, b = float(shown.replace(",", "")), float(kept)
     except ValueError:
         return shown == kept.removeprefix("n") or shown == kept
-    return abs(a - b) <= (6e-3 if three else 6e-4) * abs(b)
+    return abs(a - b) <= 0.51 * 10.0 ** (1 - least) * abs(b)
 
 
 def check_numbers(out: pathlib.Path) -> None:
@@ -86,9 +86,9 @@ def check_numbers(out: pathlib.Path) -> None:
             line, column = place.split(":")
             kept = lines[file][int(line)][lines[file][1].index(column)]
             numbers += re.match(r"[\d-]", part) is not None
-            expect(same(part, kept, len(places) > 1), f"{file} line {line}, {column}: {part} for {kept}")
+            expect(same(part, kept, 2 if column.endswith(("_low", "_high")) else 3), f"{file} line {line}, {column}: {part} for {kept}")
     expect(numbers > 300, f"only {numbers} numbers")
-    expect(set(lines) == {f"{name}.csv" for name in ("rows", "pictures", "pipelines", "stability", "integer_world")},
+    expect(set(lines) == {f"{name}.csv" for name in ("rows", "pictures", "pipelines", "stability", "moved", "integer_world")},
            f"tables of {set(lines)}")
 
 
@@ -101,22 +101,52 @@ def check_recommendation(out: pathlib.Path) -> None:
         allowed = [row for row in rows if float(row["extra_box_tests_pct"]) <= most]
         best = min(allowed, key=lambda row, of=column: float(row[of]))
         name = best["design"] + ("" if best["bits"] == "fp32" else " " + best["bits"].removeprefix("n"))
-        found = re.search(rf"<td>([^<]*)</td><td[^>]*>Least [^<]*{what}[^<]*</td>", page)
+        found = re.search(rf"<td[^>]*>([^<]*)</td><td[^>]*>Least [^<]*{what}[^<]*</td>", page)
         expect(found and found[1] == name, f"{what}: {found and found[1]} is recommended, {name} is the cheapest")
+
+
+def digits(text: str) -> float:
+    """A number of a sentence."""
+    return float(text.replace(",", ""))
+
+
+def check_answers(out: pathlib.Path) -> None:
+    """The first sentences have the figures of the files."""
+    page = (out / "index.html").read_text()
+    leads = [html.unescape(lead) for lead in re.findall(r'<p class="lead">(.*?)</p>', page)]
+    number = r"([\d.,]*\d)"
+    rows = [row for row in csv.DictReader((out / "rows.csv").open(newline="")) if row["rays_in_flight"] == "32"]
+    best = min(rows, key=lambda row: float(row["whole_area_run_time_mm2_ms"]))
+    found = re.match(rf"The unit {best['design']} .*?costs least, {number} .*? with {number} % \(95 %: {number} to {number}\)", leads[0])
+    expect(found, leads[0])
+    for shown, column, least in zip(found.groups() if found else (), (
+            "whole_area_run_time_mm2_ms", "extra_box_tests_pct", "extra_box_tests_pct_low", "extra_box_tests_pct_high"), (3, 3, 2, 2)):
+        expect(same(shown, best[column], least), f"{column}: {shown} for {best[column]}")
+    judged = [row for row in csv.DictReader((out / "stability.csv").open(newline="")) if row["category"] == "all"]
+    expect({(row["design"], row["bits"]) for row in judged} == {(row["design"], row["bits"]) for row in rows},
+           f"judged are {[(row['design'], row['bits']) for row in judged]}")
+    safe = [row for row in judged if row["design"] != "fp_slabs"]
+    found = re.match(rf"None of {number} units that must not miss missed one of {number} boxes .*? at most {number} in a million", leads[1])
+    expect(found, leads[1])
+    if found:
+        expect(int(found[1]) == len(safe) and digits(found[2]) == sum(int(row["exact_hits"]) for row in safe), leads[1])
+        expect(same(found[3], str(max(1e4 * float(row["false_miss_pct_high"]) for row in safe)), 2), leads[1])
 
 
 def check_files(out: pathlib.Path) -> None:
     """Each picture in each form, its values beside it; nothing that was left out; no temporary file."""
     names = {file.name for file in out.iterdir()}
     drawn = {name[:-4] for name in names if name.endswith(".svg")}
-    expect({"error_area", "error_run_time", "whole_area_run_time", "memory", "occupancy", "stiffness",
+    expect({"error_area", "error_run_time", "whole_area_run_time", "memory", "occupancy", "stiffness_int_slabs",
             "integer_world_plot"} <= drawn, f"drawn are {drawn}")
     for name in drawn:
         for kind in ("pdf", "png", "csv"):
-            expect(f"{name}.{kind}" in names, f"no {name}.{kind}")
-    more = [name for name in names if name.startswith((".", "core", "schematics"))]
+            of = "stiffness" if kind == "csv" and name.startswith("stiffness_") else name
+            expect(f"{of}.{kind}" in names, f"no {of}.{kind}")
+    more = [name for name in names if name.startswith((".", "core", "fitted", "schematics"))]
     expect(not more, f"there are {more}")
-    expect('id="core"' not in (out / "index.html").read_text(), "the page has a section that was left out")
+    page = (out / "index.html").read_text()
+    expect('id="needs"' not in page and "<h3>The core</h3>" not in page, "the page has a section that was left out")
     values = list(csv.DictReader((out / "error_area.csv").open(newline="")))
     rows = {(r["design"], r["bits"]): r for r in csv.DictReader((out / "rows.csv").open(newline=""))}
     front = [v for v in values if v["on_front"] == "1"]
@@ -192,7 +222,7 @@ def check_kept(out: pathlib.Path) -> None:
     (out / "pipelines.csv").write_bytes(right.replace(b"int_slabs", b"other"))
     again = report(out, "--seed", "2")
     kept = set(re.findall(r"^(\S+): kept", again.stderr, re.M))
-    expect(kept == {"rows.csv", "pictures.csv", "integer_world.csv"}, f"kept are {kept}")
+    expect(kept == {"rows.csv", "pictures.csv", "integer_world.csv", "moved.json"}, f"kept are {kept}")
     expect((out / "pipelines.csv").read_bytes() == right, "pipelines.csv is not made again")
     expect("--seed 2" in (out / "index.html").read_text(), "the page has another command")
 
@@ -209,15 +239,20 @@ def rows_of(text: str) -> list[dict[str, str]]:
     return [{k: v for k, v in row.items() if v} for row in csv.DictReader(io.StringIO(text))]
 
 
-def check_commands(out: pathlib.Path, section: str, file: str, most: int = 100) -> None:
-    """The commands of the page print the rows of the file."""
-    commands = commands_of(out, section)
+def json_rows(text: str) -> list[dict[str, str]]:
+    """Of JSON, as a table has them."""
+    return [{k: re.sub(r"^(?=\d+/\d+$)", "n", str(v)) for k, v in row.items() if v is not None} for row in json.loads(text)]
+
+
+def check_commands(out: pathlib.Path, section: str, file: str, most: int, of: str) -> None:
+    """The commands of the page that begin so print the rows of the file."""
+    commands = [words for words in commands_of(out, section) if shlex.join(words[1:]).startswith(of)]
     expect(commands, f"{section} has no commands")
     kept = rows_of((out / file).read_text())
     for words in commands[:most]:
         expect(words[0] == "hitpipe", str(words))
         made = subprocess.run([PROGRAM, *words[1:]], capture_output=True, text=True, check=False)
-        rows = rows_of(made.stdout)
+        rows = json_rows(made.stdout) if words[-1] == "json" else rows_of(made.stdout)
         expect(rows, f"{words} prints nothing: {made.stderr}")
         for row in rows:
             expect(any(row.items() <= line.items() for line in kept), f"{file} has no row {row} of {words}")
@@ -226,10 +261,10 @@ def check_commands(out: pathlib.Path, section: str, file: str, most: int = 100) 
 def check_given(folder: pathlib.Path, whole: pathlib.Path) -> None:
     """Rows that are there make the page, at another cost too; those of another scene are refused."""
     options = [word for word in OPTIONS if word not in ("int_slabs,fp_slabs", "--bits", "6/6,20/24", "--without",
-                                                        "core,schematics")]
+                                                        "core,fit,schematics")]
     rows = folder / "given.csv"
     rows.write_bytes((whole / "rows.csv").read_bytes())
-    most = "--without=images,stability,stiff,world,core,schematics"
+    most = "--without=images,stability,stiff,world,core,fit,schematics"
     made = subprocess.run([PROGRAM, *options, most, "--rows", str(rows), "--triangle-ns", "4", "--triangle-mm2", "2.5",
                            "--plot-width", "84mm", "--out", str(folder / "given")], capture_output=True, text=True,
                           check=False)
@@ -247,22 +282,15 @@ def check_given(folder: pathlib.Path, whole: pathlib.Path) -> None:
 
 
 def check_more(out: pathlib.Path) -> None:
-    """Intervals, fitted units and the core, each with its picture."""
-    words = [word if word != "core,schematics" else "images,pipelines,stability,stiff,world,schematics"
+    """Intervals and the core, each with its picture."""
+    words = [word if word != "core,fit,schematics" else "images,pipelines,stability,stiff,world,fit,schematics"
              for word in OPTIONS]
-    made = subprocess.run([PROGRAM, *words, "--ii", "1,3", "--fit", "--out", str(out)], capture_output=True, text=True,
+    made = subprocess.run([PROGRAM, *words, "--ii", "1,3", "--out", str(out)], capture_output=True, text=True,
                           check=False)
     expect(made.returncode == 0 and "wrong_core_answers   0\n" in made.stdout, f"{made.stdout}{made.stderr}")
     rates = [row for row in csv.DictReader((out / "area_rate.csv").open(newline="")) if row["line"] == "int_slabs 20/24"]
     rates.sort(key=lambda row: float(row["x"]))
     expect(len(rates) == 2 and float(rates[0]["y"]) < float(rates[1]["y"]), f"a rarer test takes less area: {rates}")
-    fitted = list(csv.DictReader((out / "fitted.csv").open(newline="")))
-    marks = list(csv.DictReader((out / "whole_area_run_time.csv").open(newline="")))
-    for row in fitted:
-        cost = "whole_area_run_time_mm2_ms"
-        expect(any(mark["unit"].endswith("fitted") and mark[cost] == row[cost] for mark in marks), f"no mark: {row}")
-        swept = [float(mark[cost]) for mark in marks if mark["design"] == row["design"] and "fitted" not in mark["unit"]]
-        expect(float(row[cost]) <= min(swept), f"{row['design']}: fitted costs {row[cost]}, swept {min(swept)}")
     core = list(csv.DictReader((out / "core.csv").open(newline="")))
     expect(len(core) == 46 and all(row["wrong"] == "0" for row in core), f"{len(core)} rows of cores")
     usual = {"bits": "20+1s20", "triangle_ii": "4", "memory": "ideal", "latency": "100", "cache_kib": "0",
@@ -273,7 +301,7 @@ def check_more(out: pathlib.Path) -> None:
         expect(2 * value("port_busy_pct", latency=latency, rays_in_flight="8") < value("port_busy_pct", latency=latency),
                f"more rays keep the port no busier at {latency}")
     expect(value("bytes_a_ray", cache_kib="64") < 0.9 * value("bytes_a_ray"), "a cache saves nothing")
-    check_commands(out, "core", "core.csv", 2)
+    check_commands(out, "bits", "core.csv", 2, "core trace")
 
 
 def check_refused(folder: pathlib.Path) -> None:
@@ -282,9 +310,8 @@ def check_refused(folder: pathlib.Path) -> None:
     (folder / "empty").mkdir()
     for more, said, variables in (
             (["--image-design", "fp_slabs"], "design fp_slabs: can miss boxes; give a design that never does", {}),
-            (["--without", "all"], "--without: no section all; there are: images, pipelines, stability, stiff, world, "
-             "core, schematics", {}),
-            (["--fit", "--library", "xc7"], "--fit: a fit is priced by the default library alone", {}),
+            (["--without", "all"], "--without: no section all; there are: pipelines, world, core, stability, stiff, fit, "
+             "images, schematics", {}),
             (["--plot-width", "84"], "--plot-width: 84 is no width from 40mm to 400mm, such as 84mm, 3.3in or 240pt", {}),
             (["--rows", "none.csv"], "design excludes --rows: the rows of the file have their designs", {}),
             ([], "report: no python3 with matplotlib and jinja2 was found; install the packages python3-matplotlib and "
@@ -303,11 +330,12 @@ with tempfile.TemporaryDirectory() as name:
     expect(re.fullmatch(r"page +\S+index.html\nrows +\d+\n([a-z_]+ +0\n){4}", first.stdout), first.stdout)
     check_numbers(base / "whole")
     check_recommendation(base / "whole")
+    check_answers(base / "whole")
     check_files(base / "whole")
     check_stopped(base)
     check_killed(base / "whole", base / "killed")
-    check_commands(base / "whole", "pipelines", "pipelines.csv")
-    check_commands(base / "whole", "stability", "stability.csv")
+    check_commands(base / "whole", "bits", "pipelines.csv", 100, "area")
+    check_commands(base / "whole", "stable", "stability.csv", 100, "check int_slabs,fp_slabs")
     check_given(base, base / "whole")
     check_more(base / "more")
     check_kept(base / "whole")

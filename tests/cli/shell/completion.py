@@ -70,6 +70,13 @@ CASES = [
     ("hitpipe area --format ", ["text", "csv", "json"], ["--library"]),
     ("hitpipe help co", ["core", "cosim"], ["rtl"]),
     ("hitpipe bvh --scene my_m", ["my_mesh.ply"], []),
+    ("hitpipe bvh --scene ", ["spheres", "statue", "my_mesh.ply"], ["thesis_250nm"]),
+    ("hitpipe core trace --scene=sp", ["spheres"], ["statue"]),
+    ("hitpipe area --library ", ["thesis_250nm", "xc7", "my_mesh.ply"], ["spheres"]),
+    ("hitpipe core trace --memory d", ["dram"], ["ideal"]),
+    ("hitpipe implement int_major --target ice40_u", ["ice40_up5k"], []),
+    ("hitpipe rtl read_m", ["read_meter"], []),
+    ("hitpipe cosim read_m", [], ["read_meter"]),
 ]
 wrong = []
 with tempfile.TemporaryDirectory() as name:

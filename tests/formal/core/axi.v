@@ -3,7 +3,6 @@
   reg began = 1'b0;
   always @(posedge aclk) began <= 1'b1;
   always @* if (!began) assume (!aresetn);
-  wire core_rst = ~aresetn | resets;
 
   // The core's side: rays in it, requests on their way.
   reg [2:0] in_core = 3'd0;
@@ -13,7 +12,7 @@
     if (core_hit_valid) assume (in_core != 3'd0);
     if (core_ray_ready) assume (in_core < 3'd2);
   end
-  wire [80:0] hit = {m_axis_hit_tdata, m_axis_hit_tid}, request = {m_axi_araddr, request_id};
+  wire [80:0] hit = {m_axis_hit_tdata, m_axis_hit_tid}, request = {m_axi_araddr, core_request_id};
   reg hit_held = 1'b0, request_held = 1'b0;
   reg [80:0] hit_was, request_was;
   always @(posedge aclk) begin
@@ -29,22 +28,47 @@
 
   // Memory's side: blocks that were asked for, with their beats left.
   reg [2:0] due = 3'd0;
-  reg [1:0] beats = 2'd0;
+  reg [1:0] came = 2'd0;
   wire asks = m_axi_arvalid & m_axi_arready, beat = m_axi_rvalid & m_axi_rready;
-  wire block = beat & beats == m_axi_arlen[1:0];
+`ifdef IDS
+  wire block = beat & m_axi_rid[3:2] == epoch_present;
+`else
+  wire block = beat & came == m_axi_arlen[1:0];
+`endif
+  wire reads = `READ_VALID;
   reg [2:0] in_memory = 3'd0, unseen = 3'd0;
   always @(posedge aclk) begin
     in_memory <= aresetn ? in_memory + asks - block : 3'd0;
-    unseen <= aresetn ? unseen + asks - read_valid : 3'd0;
-    beats <= ~aresetn | block ? 2'd0 : beats + beat;
+    unseen <= aresetn ? unseen + asks - reads : 3'd0;
+    came <= ~aresetn | block ? 2'd0 : came + beat;
+  end
+  always @* if (core_request_valid) assume (unseen < 3'd2);
+`ifdef IDS
+  // Blocks of before a hard reset may come with any other identifier. That none has the present one is in EPOCH.
+  always @* if (m_axi_rvalid & m_axi_rid[3:2] == epoch_present) assume (in_memory != 3'd0);
+  // Any request, and the hard resets since. Its block has come before the fourth.
+  (* anyseq *) reg picks, is_it;
+  reg picked = 1'b0, was_low = 1'b0;
+  reg [1:0] resets_since;
+  reg [3:0] id_of_it;
+  wire comes = m_axi_rvalid & is_it;
+  always @(posedge aclk) begin
+    was_low <= ~aresetn;
+    if (asks & aresetn & ~picked & picks) begin
+      picked <= 1'b1;
+      id_of_it <= m_axi_arid;
+      resets_since <= 2'd0;
+    end else begin
+      if (comes) picked <= 1'b0;
+      if (~aresetn & ~was_low) resets_since <= resets_since + 2'd1;
+    end
   end
   always @* begin
-    if (m_axi_rvalid) assume (in_memory != 3'd0);
-    if (core_request_valid) assume (unseen < 3'd2);
+    if (is_it) assume (m_axi_rvalid && picked && m_axi_rid == id_of_it);
+    if (picked & ~aresetn & ~was_low) assume (resets_since != 2'd3);
   end
-`ifdef IDS
-  // Hard resets bring old blocks of another epoch; here none is on its way then.
-  always @* if (m_axi_rvalid) assume (m_axi_rid[3:2] == epoch);
+`else
+  always @* if (m_axi_rvalid) assume (in_memory != 3'd0);
 `endif
 
   // What was offered a cycle ago and not taken.
@@ -87,12 +111,19 @@
 `endif
 `ifdef EMPTIES
     // A soft reset lets no ray in. When it resets the core, no block is on its way and nothing is offered.
-    assert (!resets || (in_memory == 3'd0 && unseen == 3'd0 && !m_axi_arvalid && !m_axis_hit_tvalid));
-    assert (!resets || !(s_axis_ray_tvalid & s_axis_ray_tready));
+    assert (!registers_resets || (in_memory == 3'd0 && unseen == 3'd0 && !m_axi_arvalid && !m_axis_hit_tvalid));
+    assert (!registers_resets || !(s_axis_ray_tvalid & s_axis_ray_tready));
     assert (!m_axis_hit_tvalid || in_core != 3'd0);
     assert (!(s_axis_ray_tvalid & s_axis_ray_tready) || core_ray_ready);
 `endif
+`ifdef EPOCH
+    // The core gets a block exactly if it has asked for it since the last hard reset.
+    if (comes) assert (reads == (resets_since == 2'd0));
+`endif
+`ifdef OLD
+    assert (!(comes && resets_since == 2'd3));
+`endif
 `ifdef REACHED
-    assert (!(resets && in_core == 3'd2));
+    assert (!(registers_resets && in_core == 3'd2));
 `endif
   end

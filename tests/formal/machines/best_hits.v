@@ -38,25 +38,34 @@
 
   // What was given to it: its length, (T, number) of each hit, and what it asks. The best of it; of a ray that counts
   // the sum of sides and the number of hits.
+`ifdef QUESTIONS
+  localparam SUM_BITS = NUMBER_BITS + 1;
+`else
+  localparam SUM_BITS = 4;
+`endif
   reg any_hit;
   reg [NUMBER_BITS-1:0] tested;
-  reg [NUMBER_BITS+3:0] least, least_before, longest;
+  reg [NUMBER_BITS+SUM_BITS-1:0] least, least_before;
+  reg [NUMBER_BITS+3:0] longest;
   wire [NUMBER_BITS+3:0] hit = {t, tested};
 `ifdef QUESTIONS
   reg our_counts, our_turned;
   reg [NUMBER_BITS+3:0] our_from;
   wire begins_counting = counts;
   wire before_from = hit < {our_from[NUMBER_BITS+3:NUMBER_BITS], our_from[NUMBER_BITS-1:0] | {NUMBER_BITS{our_counts}}};
-  wire [3:0] side = hit_back == our_turned ? 4'd15 : 4'd1;
+  wire [SUM_BITS-1:0] side = hit_back == our_turned ? {SUM_BITS{1'b1}} : 1;
+  reg [SUM_BITS-1:0] side_before;
+  always @(posedge clk) side_before <= side;
   always @(posedge clk) if (begins_one) {our_counts, our_turned, our_from} <= {counts, turned, from_t, from_number};
 `else
   wire our_counts = 1'b0, begins_counting = 1'b0, before_from = 1'b0;
-  wire [3:0] side = 4'd0;
+  wire [SUM_BITS-1:0] side = {SUM_BITS{1'b0}};
 `endif
-  wire improves_one = our_counts ? before_from : hit < least & ~before_from;
+  wire improves_one = our_counts ? before_from : hit < least[NUMBER_BITS+3:0] & ~before_from;
   always @(posedge clk) begin
-    if (begins_one) {any_hit, least} <= {any, begins_counting ? {NUMBER_BITS+4{1'b0}} : {length, {NUMBER_BITS{1'b1}}}};
-    else if (done_one & improves_one) least <= our_counts ? {least[NUMBER_BITS+3:NUMBER_BITS] + side, least[NUMBER_BITS-1:0] + 1'd1} : hit;
+    if (begins_one) any_hit <= any;
+    if (begins_one) least <= begins_counting ? {NUMBER_BITS{1'b0}} : {length, {NUMBER_BITS{1'b1}}};
+    else if (done_one & improves_one) least <= our_counts ? {least[NUMBER_BITS+SUM_BITS-1:NUMBER_BITS] + side, least[NUMBER_BITS-1:0] + 1'd1} : hit;
     if (begins_one) longest <= {length, {NUMBER_BITS{1'b1}}};
     if (reads_one) tested <= number;
     least_before <= least;
@@ -119,8 +128,8 @@
     assert (!here || leaf_bests[one] == (our_counts ? longest : divided_bests[one]));
     assert (!here || at == COMPARED || divided_bests[one] == least);
     assert (at != TESTS || numbers[one] == tested);
-    assert (!seen_one || seen == {tested, least});
-    assert (!(asked_1 & tests_1 & at == TESTS) || {asked_number, best, best_number} == {tested, least});
+    assert (!seen_one || seen == {tested, least[NUMBER_BITS+3:0]});
+    assert (!(asked_1 & tests_1 & at == TESTS) || {asked_number, best, best_number} == {tested, least[NUMBER_BITS+3:0]});
     if (at == COMPARED) begin
       assert (closer_1 == closer_one);
       assert (our_counts | ~closer_1 ? divided_bests[one] == (closer_1 ? least_before : least)
@@ -138,10 +147,10 @@
     assert (!seen_one || {counts_seen, from_seen} == {our_counts, our_from});
     if (at == COMPARED) begin
       assert ({questions_word, divided_bests_word} == {questions[one], divided_bests[one]});
-      assert (!closer_1 || !our_counts || least == {least_before[NUMBER_BITS+3:NUMBER_BITS] + (hit_back_1 == our_turned ? 4'd15 : 4'd1),
+      assert (!closer_1 || !our_counts || least == {least_before[NUMBER_BITS+SUM_BITS-1:NUMBER_BITS] + side_before,
                                                     least_before[NUMBER_BITS-1:0] + 1'd1});
     end
-    cover (at == ANSWERED && our_counts && least[NUMBER_BITS-1:0] == 2 && least[NUMBER_BITS+3:NUMBER_BITS] == 4'd0);
+    cover (at == ANSWERED && our_counts && least[NUMBER_BITS-1:0] == 2 && least[NUMBER_BITS+SUM_BITS-1:NUMBER_BITS] == 0);
 `endif
     cover (at == ANSWERED && ~&least[NUMBER_BITS-1:0]);
     cover (at == COMPARED && !closer_one && ~&least[NUMBER_BITS-1:0]);

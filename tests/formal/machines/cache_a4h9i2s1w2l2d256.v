@@ -48,4 +48,4 @@
   // A block may be read in a beat's cycle. After that a list of three rays is told of an error.
   reg met;
   always @(posedge clk) met <= was_reset & ~rst & (met | (hits & beat_now));
-  (* keep *) wire reached = was_reset & ~rst & gives_list & list_error & before[list_ray] == 2 & met;
+  always @* cover (was_reset & ~rst & gives_list & list_error & before[list_ray] == 2 & met);

@@ -10,4 +10,4 @@
   end
 
   // A list of three rays may be told of an error while a ray is looked up.
-  (* keep *) wire reached = was_reset & ~rst & gives_list & list_error & before[list_ray] == 2 & look_there;
+  always @* cover (was_reset & ~rst & gives_list & list_error & before[list_ray] == 2 & look_there);

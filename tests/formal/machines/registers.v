@@ -95,8 +95,8 @@
   function [31:0] word_at(input [5:0] place);
     case (place)
       6'd0: word_at = 32'h48697470;
-      6'd1: word_at = 32'd2;
-      6'd2: word_at = {15'd0, more_wrong, wrong, 7'd0, resetting, in_core == 6'd0 & ~resetting & ~more_busy};
+      6'd1: word_at = 32'd3;
+      6'd2: word_at = {13'd0, more_wrong, wrong, 7'd0, resetting, in_core == 6'd0 & ~resetting & ~more_busy};
       6'd4: word_at = {23'd0, base_is, 6'd0};
       6'd6: word_at = last_is;
       6'd7: word_at = steps_are;
@@ -104,6 +104,7 @@
       6'd10: word_at = about_format;
       6'd11: word_at = about_shape;
       6'd12: word_at = about_ports;
+      6'd14: word_at = about_limits;
       6'd16: word_at = cycles[31:0];
       6'd17: word_at = {30'd0, cycles[33:32]};
       6'd18: word_at = rays[31:0];
@@ -140,7 +141,7 @@
     // A soft reset. What was offered and not taken still passes; nothing new does.
     assert ({flying, reading} == {in_core, at_memory});
     assert ({stops, resets} == {resetting, reset_now});
-    assert (lets_rays == ~resetting);
+    assert (lets_rays == (~resetting & most_are != 2'd0));
     assert (resetting || (lets_requests && lets_answers));
     assert (!resetting || lets_requests == request_was);
     assert (!resetting || !gates || lets_answers == hit_was);

@@ -1,4 +1,5 @@
-  wire gates = 1'b1, answers_left = lets_answers, more_wrong = 1'b0, more_busy = 1'b0;
+  wire gates = 1'b1, answers_left = lets_answers, more_busy = 1'b0;
+  wire [2:0] more_wrong = 3'd0;
   // With a cache: lines that it may read, and what it has done.
   reg [5:0] lines_are;
   reg [33:0] found, joined, read;
@@ -9,7 +10,7 @@
       lines_are <= 6'd8;
       {found, joined, read, forgets} <= 103'd0;
     end else begin
-      if (writes_at(6'd13)) lines_are <= new_lines > 32'd63 ? 6'd63 : new_lines[5:0];
+      if (writes_at(6'd13)) lines_are <= new_lines > 32'd63 ? 6'd63 : new_lines == 32'd0 ? 6'd1 : new_lines[5:0];
       forgets <= writes_at(6'd4) | writes_at(6'd5) | writes_at(6'd6) | (writes_at(6'd3) & w_bytes[0] & w_word[1]);
       found <= writes_at(6'd9) ? 34'd0 : found + cache_hit;
       joined <= writes_at(6'd9) ? 34'd0 : joined + cache_join;

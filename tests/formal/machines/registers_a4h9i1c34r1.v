@@ -1,6 +1,6 @@
   // With rings nothing between the core and them waits for this machine. A reset waits until they are quiet.
   wire gates = 1'b0, answers_left = ~ring_quiet, more_busy = ring_busy;
-  reg more_wrong;
+  reg [2:0] more_wrong;
   reg [1:0] rays_are, answers_are;
   reg [15:0] places_are, offered_are;
   reg [16:0] interrupt_is;
@@ -10,7 +10,7 @@
   wire [31:0] new_interrupt = changed({15'd0, interrupt_is});
   wire [15:0] behind = ring_answers - interrupt_is[15:0];
   always @(posedge clk) begin
-    if (rst) {more_wrong, rays_are, answers_are, places_are, offered_are, interrupt_is, interrupts_are} <= 55'd0;
+    if (rst) {more_wrong, rays_are, answers_are, places_are, offered_are, interrupt_is, interrupts_are} <= 57'd0;
     else begin
       if (writes_at(6'd38)) rays_are <= new_rays[8:7];
       if (writes_at(6'd40)) answers_are <= new_answers[8:7];
@@ -19,7 +19,7 @@
       else if (writes_at(6'd43)) offered_are <= new_offered > 32'hffff ? 16'hffff : new_offered[15:0];
       if (writes_at(6'd44)) interrupt_is <= new_interrupt > 32'h1ffff ? 17'h1ffff : new_interrupt[16:0];
       interrupts_are <= interrupt_is[16] & ~behind[15];
-      more_wrong <= ring_error | (more_wrong & ~(writes_at(6'd2) & w_bytes[2] & w_word[16]));
+      more_wrong <= ring_flaws | (more_wrong & ~(writes_at(6'd2) & w_bytes[2] ? w_word[18:16] : 3'd0));
     end
   end
   function [31:0] more_at(input [5:0] place);
@@ -36,5 +36,6 @@
   always @(posedge clk) if (was_reset & ~rst) begin
     assert ({rays_at, answers_at, ring_last, rays_offered} == {rays_are, answers_are, places_are, offered_are});
     assert (irq == interrupts_are && interrupt_r == interrupt_is);
-    assert (ring_failed_r == more_wrong);
+    assert (ring_flaws_r == more_wrong);
+    assert (lets_rings == ~resetting);
   end

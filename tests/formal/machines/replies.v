@@ -1,7 +1,17 @@
   // Rays from their beginning to the edge at which their number comes back, and those whose answer has come.
   reg [1:0] flying, answered_rays;
-  // Their tags, and whether they are no rays.
-  reg [1:0] tag_of, error_of;
+  // Their tags, whether they are no rays, and whether they want a count.
+  reg [1:0] tag_of, error_of, counts_of;
+`ifdef COUNTS
+  wire counts = ray_once & ray_any;
+  always @(posedge clk) if (was_reset & ~rst) begin
+    assert (!flying[0] || counting[0] == counts_of[0]);
+    assert (!flying[1] || counting[1] == counts_of[1]);
+  end
+`else
+  wire counts = 1'b0;
+  always @(posedge clk) if (was_reset & ~rst) assert ((counts_of & flying) == 2'd0);
+`endif
   always @(posedge clk) begin
     if (rst) {flying, answered_rays} <= 4'd0;
     else begin
@@ -9,6 +19,7 @@
         flying[begun_at] <= 1'b1;
         tag_of[begun_at] <= ray_tag;
         error_of[begun_at] <= ray_error;
+        counts_of[begun_at] <= counts;
       end
       if (answers) answered_rays[answered] <= 1'b1;
       if (freed) begin
@@ -44,8 +55,8 @@
     // An answer has its ray's tag, and has failed if this was no ray.
     assert (!hit_valid || hit_tag == tag_of[ray_1]);
     assert (!hit_valid || hit_failed == (error_of[ray_1] ? 3'd1 : hit_failed_1));
-    // All ones is no hit, of however many bits a number has.
-    assert (!hit_valid || hit_number >> NUMBER_BITS == (&hit_number[NUMBER_BITS-1:0] ? 32'hffffffff >> NUMBER_BITS : 32'd0));
+    // All ones is no hit, of however many bits a number has; but it may be a count.
+    assert (!hit_valid || hit_number >> NUMBER_BITS == (&hit_number[NUMBER_BITS-1:0] & ~counts_of[ray_1] ? 32'hffffffff >> NUMBER_BITS : 32'd0));
     cover (hit_valid && used == 2'd1);
     cover (answered_rays == 2'd3);
   end

@@ -5,11 +5,10 @@
   (* anyconst *) reg [15:0] mask;
   always @* assume ({rays_at, answers_at, ring_last} == {rays_base, answers_base, mask});
 
-  // The host offers more rays, at most 2^15 ahead. None is asked for that was not offered.
-  reg [15:0] last_offered;
-  wire [15:0] ahead = last_offered - asked_for;
-  always @(posedge clk) last_offered <= rst ? 16'd0 : rays_offered;
-  always @* assume (rays_offered - last_offered <= 16'h8000 - ahead);
+  // No more rays are accepted than a ring has places. rings_h10g1t4d128_alone.v proves that, whatever the host offers. None
+  // is asked for that was not accepted.
+  wire [15:0] ahead = accepted - asked_for;
+  always @* assume (ahead <= 16'h8000);
 
   // Rays that have come whole, and that were given, of all; beats that memory owes, and those of the ray that is coming.
   reg [15:0] arrived, given;
@@ -40,7 +39,6 @@
   wire [255:0] come_of_one = ~({256{1'b1}} << ({8'd0, own_beat} << (8 - LOG)));
 
   always @(posedge clk) if (was_reset & ~rst) begin
-    assert (ahead <= 16'h8000);
     assert (held <= 5'd16 && come <= held);
     assert (beat == own_beat && owed <= 7'd64);
     assert (given + come == arrived && first_ray == given[3:0] && given + held == asked_for);
@@ -76,6 +74,21 @@
   always @* if (stored_valid) assume (storing & left == 3'd0 & ~stores);
   wire [2:0] stored_answers = stores_four ? 3'd4 : 3'd1;
   wire [15:0] first_stored = sent - (stored_answers - left);
+  // An answer that could not be written: none is written behind it, and none is said to be.
+  reg failed;
+  reg [15:0] last_there;
+  reg stood;
+  always @(posedge clk) stood <= ~rst & ~fetches & (failed | overfull);
+  wire fetches_begins = stood & fetches;
+  always @(posedge clk) begin
+    failed <= ~rst & (failed | (stored_valid & stored_error));
+    if (!failed) last_there <= rst ? 16'd0 : in_memory;
+    if (was_reset & ~rst) begin
+      assert (ring_flaws[2:1] == {overfull, failed});
+      assert (!failed || (in_memory == last_there && !storing && !fetches_begins));
+      assert (!overfull || !fetches_begins);
+    end
+  end
   wire [8:0] next_store = {answers_base, 7'd0} + {first_stored & mask, 4'd0};
   always @(posedge clk) if (was_reset & ~rst) begin
     assert (waiting <= 5'd16 && entered == sent + waiting);
@@ -88,7 +101,7 @@
     assert (!storing || !stores_four || first_stored[1:0] == 2'd0);
     assert (!store_valid || store_address == next_store);
     // What is said to be in memory is.
-    assert (in_memory == (storing ? first_stored : sent));
+    assert (failed || in_memory == (storing ? first_stored : sent));
     assert (ring_quiet == (owed == 7'd0 && own_beat == 2'd0 && !fetches && !storing));
     cover (in_memory == 16'd4);
   end

@@ -40,4 +40,4 @@
     assert (!answers || closer == (seen[38:0] < seen_best));
   end
   // A program may run while another triangle waits.
-  (* keep *) wire reached = was_reset & ~rst & multiplied & counter == 7'd10 & waiting == 2'd2;
+  always @* cover (was_reset & ~rst & multiplied & counter == 7'd10 & waiting == 2'd2);

@@ -261,7 +261,7 @@
   always @(posedge clk) if (goes_on) came_stops_before <= came == LEAF & came_stops;
 
   // A ray may take up a child that waited.
-  (* keep *) wire reached = was_reset & ~rst & in_2[our] & from_kept & ~too_far & on;
+  always @* cover (was_reset & ~rst & in_2[our] & from_kept & ~too_far & on);
 
   // With two rays a ray is taken up in three cycles at most. A queue's ray is there one cycle after it came.
   reg [1:0] waited;

@@ -135,8 +135,8 @@ TEST(EmittedNames, OfMachines) {
 /// The modules of a core, its wrapper and its testbench.
 TEST(EmittedNames, OfCores) {
   const auto bits = parse_bits<hls::RayBits>("8+0/4s8");
-  std::vector<CoreOptions> options{{.bits = bits, .triangle_interval = 0},
-                                   {.bits = bits, .door = Door::binary32, .weights = true},
+  std::vector<CoreOptions> options{{.bits = bits, .serial_triangle = true},
+                                   {.bits = bits, .float_door = true, .weights = true},
                                    {.bits = bits, .data_bits = 64}};
   for (const int interval : {CoreOptions::least_triangle_interval, 4, 8, 16})
     options.push_back({.bits = bits, .triangle_interval = interval});

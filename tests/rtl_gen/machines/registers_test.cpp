@@ -68,7 +68,7 @@ class CoreRegisters : public testing::Test {
     return word;
   }
   std::uint64_t counter(int number) {
-    const Word address = static_cast<Word>(4 * hls::registers::counters_at + 8 * number);
+    const Word address = static_cast<Word>(4 * hls::registers::at<"CYCLES"> + 8 * number);
     const std::uint64_t low = read(address);
     return low | read(address + 4) << 32;
   }
@@ -83,7 +83,7 @@ class CoreRegisters : public testing::Test {
 
 TEST_F(CoreRegisters, KeepWhatIsWritten) {
   EXPECT_EQ(read(0x00), 0x48697470U);
-  EXPECT_EQ(read(0x04), 2U);
+  EXPECT_EQ(read(0x04), 3U);
   EXPECT_EQ(read(0x1c), 0xfffffU) << "as many steps as a ray can count";
   EXPECT_EQ(read(0x20), 0U) << "no ray begins";
   for (const Order order : {Order::together, Order::address_first, Order::word_first}) {
@@ -217,9 +217,11 @@ TEST_F(CoreRegisters, SayWhatTheCoreIs) {
   registers_.in["about_format"] = 0x0b141214;
   registers_.in["about_shape"] = 0x183c0020;
   registers_.in["about_ports"] = 0x02202010;
+  registers_.in["about_limits"] = 0x10cd8a20;
   EXPECT_EQ(read(0x28), 0x0b141214U);
   EXPECT_EQ(read(0x2c), 0x183c0020U);
   EXPECT_EQ(read(0x30), 0x02202010U);
+  EXPECT_EQ(read(0x38), 0x10cd8a20U);
   write(0x28, 0);
   EXPECT_EQ(read(0x28), 0x0b141214U);
 }
@@ -266,6 +268,16 @@ TEST_F(CoreRegisters, KeepWhatWentWrong) {
   EXPECT_EQ(read(0x08), seen & ~Word{0x2000}) << "bytes without a strobe stay";
   write(0x08, 0xffffffff);
   EXPECT_EQ(read(0x08), idle);
+}
+
+TEST_F(CoreRegisters, TakeNoRayWhileNoneMayBegin) {
+  EXPECT_EQ(registers_.out["lets_rays"], 0U) << "after a hard reset";
+  write(0x20, 1);
+  EXPECT_EQ(registers_.out["lets_rays"], 1U);
+  write(0x0c, 1);
+  for (int i = 0; i < 10; ++i) cycle();
+  EXPECT_EQ(read(0x08), 1U);
+  EXPECT_EQ(registers_.out["lets_rays"], 0U) << "after a soft reset";
 }
 
 TEST_F(CoreRegisters, KnowWhetherARayIsThere) {
@@ -327,13 +339,14 @@ TEST_F(CoreRegisters, ResetTheCoreWhenReadsAreHome) {
   cycle();
   EXPECT_EQ(passes(), (Passes{0, 0, 0, 1})) << "the core is reset";
   cycle();
-  EXPECT_EQ(passes(), (Passes{1, 1, 1, 0}));
+  EXPECT_EQ(passes(), (Passes{0, 1, 1, 0})) << "no ray may begin yet";
   EXPECT_EQ(read(0x08), 1U) << "idle: its rays are gone";
   write(0x20, 8);
+  EXPECT_EQ(passes(), (Passes{1, 1, 1, 0}));
   EXPECT_EQ(registers_.out["most_rays"], 8U);
   write(0x0c, 1);
   EXPECT_EQ(read(0x20), 0U) << "nothing was on its way";
-  EXPECT_EQ(passes(), (Passes{1, 1, 1, 0}));
+  EXPECT_EQ(passes(), (Passes{0, 1, 1, 0}));
 }
 
 }  // namespace

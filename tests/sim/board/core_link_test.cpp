@@ -35,7 +35,7 @@ rtl::CoreOptions small_options() {
   options.address_bits = 10;
   options.byte_bits = 15;
   options.tag_bits = 8;
-  options.triangle_interval = 0;
+  options.serial_triangle = true;
   options.clock_ps = 60'000;
   return options;
 }

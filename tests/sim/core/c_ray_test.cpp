@@ -88,7 +88,7 @@ std::vector<Fields> rays(int count) {
 
 /// Lines as the program prints them.
 std::string expected(const rtl::Core& core, const std::vector<Fields>& rays) {
-  const std::vector<rtl::Port> ports = rtl::ray_ports(core);
+  const std::vector<rtl::Port> ports = rtl::records_of(core).ray.ports;
   std::string text;
   for (const Fields& ray : rays) {
     const auto at = [&](std::size_t i) { return std::bit_cast<float>(ray[i]); };
@@ -220,8 +220,8 @@ int main(void) {
   return 0;
 }
 )";
-  for (const rtl::Door door : {rtl::Door::integer, rtl::Door::binary32}) {
-    const rtl::Core core = rtl::make_core({.bits = {16, 1, 9, 0, 16, 0}, .door = door},
+  for (const bool floats : {false, true}) {
+    const rtl::Core core = rtl::make_core({.bits = {16, 1, 9, 0, 16, 0}, .float_door = floats},
                                           rtl::library_called(rtl::default_library), "core");
     const host::ScratchFolder folder("c-mesh-ray");
     host::write_files(folder.path(), {{"core.h", rtl::c_header(core)}, {"main.c", compares}});

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/core/feature.hpp"
 #include "sim/core/native_core.hpp"
 #include "sim/core/picture_rays.hpp"
 #include "sim/machine/verilated_machine.hpp"
@@ -37,9 +38,9 @@ struct Kind {
 
   [[nodiscard]] rtl::CoreOptions core() const {
     rtl::CoreOptions made = options_of(rays, stack_bits);
-    made.cache_kib = cache_kib;
+    made.cache.kib = cache_kib;
     made.rings = rings;
-    if (rings) made.door = rtl::Door::binary32;
+    made.float_door = rings;
     return made;
   }
 };
@@ -84,9 +85,9 @@ TEST_P(CoreWith, AnswersAndReadsAsSoftwareDoes) {
 TEST_P(CoreWith, NeedsNoWordThatIsReadWhileItIsWritten) {
   const Kind& kind = GetParam();
   const CorePicture picture(1 << kind.stack_bits, 24);
-  for (const int triangle_interval : {4, 0}) {
+  for (const bool serial : {false, true}) {
     rtl::CoreOptions options = kind.core();
-    options.triangle_interval = triangle_interval;
+    options.serial_triangle = serial;
     const rtl::Core core = rtl::make_core(options, library());
     NativeCore usual(core), spoilt(core, rtl::Collision::any_word);
     std::vector<CoreAnswer> answers(picture.rays.jobs.size());
@@ -141,17 +142,17 @@ TEST_P(CoreInVerilog, IsTheSameInEveryCycle) {
   rtl::CoreOptions options = options_of(12, 2);
   options.bits = format;
   options.tag_bits = 4;
-  options.triangle_interval = GetParam().triangle_interval;
+  rtl::core_option("--triangle-ii").set(options, GetParam().triangle_interval);
   options.weights = GetParam().weights;
   options.rings = GetParam().rings;
-  if (options.rings) options.door = rtl::Door::binary32;
-  options.cache_kib = GetParam().cache_kib;
-  options.cache_line = GetParam().cache_line;
+  options.float_door = options.rings;
+  options.cache.kib = GetParam().cache_kib;
+  options.cache.line = GetParam().cache_line;
   options.data_bits = GetParam().data_bits;
   if (GetParam().narrow) make_narrow(options, picture);
   MemoryOptions memory{.least_latency = 1, .most_latency = 60, .refused_percent = 20};
   memory.in_order = options.has_one_id();
-  memory.reads_lines = options.has_cache();
+  memory.reads_lines = rtl::bus_of(options).has_lines;
   const rtl::Core core = rtl::make_core(options, library());
   BothCores both(core, rtl::to_verilog(core, library()));
   CoreBench bench(core, both, picture.image, memory, far_image);
@@ -187,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(CoreWithFloats, AnswersAsWithIntegers) {
   const CorePicture picture(4, 12);
   rtl::CoreOptions options = options_of(12, 2);
-  options.door = rtl::Door::binary32;
+  options.float_door = true;
   options.tag_bits = 7;
   const rtl::Core core = rtl::make_core(options, library());
   BothCores both(core, rtl::to_verilog(core, library()));

@@ -145,10 +145,10 @@ TEST_F(CoreWithADamagedImage, FailsRaysThatReadAnotherKind) {
   EXPECT_EQ(triangle_for_record.wrong(), 0U);
 }
 
-/// Tests of triangles, as CoreOptions::triangle_interval has them.
-class NarrowCore : public testing::TestWithParam<int> {
+/// With a unit that tests triangles, or one multiplier.
+class NarrowCore : public testing::TestWithParam<bool> {
  protected:
-  NarrowCore() { narrow_.triangle_interval = wide_.triangle_interval = GetParam(); }
+  NarrowCore() { narrow_.serial_triangle = wide_.serial_triangle = GetParam(); }
   [[nodiscard]] Answered narrow(const ref::CoreImage& image, std::uint32_t most_steps = 100) const {
     return Answered(image, memory_, most_steps, narrow_);
   }
@@ -261,15 +261,15 @@ TEST_P(NarrowCore, FailsRaysAtItsLargestStep) {
   EXPECT_GT(narrow(picture_.image, 14).failed(hls::too_many_steps), usual.failed(hls::too_many_steps));
 }
 
-INSTANTIATE_TEST_SUITE_P(Tests, NarrowCore, testing::Values(4, 0),
-                         [](const auto& each) { return each.param == 0 ? "Serial" : "Unit"; });
+INSTANTIATE_TEST_SUITE_P(Tests, NarrowCore, testing::Bool(),
+                         [](const auto& each) { return each.param ? "Serial" : "Unit"; });
 
-class CoreWithErrors : public testing::TestWithParam<int> {};
+class CoreWithErrors : public testing::TestWithParam<bool> {};
 
 /// Every answer is right or has failed, with a triangle unit and with one multiplier.
 TEST_P(CoreWithErrors, OfMemoryGivesNoWrongAnswer) {
   rtl::CoreOptions options = options_of(8, 3);
-  options.triangle_interval = GetParam();
+  options.serial_triangle = GetParam();
   const CorePicture picture(8, 12);
   const Answered answered(picture.image, {.least_latency = 1, .most_latency = 20, .error_percent = 2},
                           (1U << 20) - 1, options);
@@ -278,8 +278,8 @@ TEST_P(CoreWithErrors, OfMemoryGivesNoWrongAnswer) {
   EXPECT_EQ(answered.failed(hls::unread_block) + answered.failed(hls::not_failed), answered.answers.size());
   EXPECT_EQ(answered.wrong(), 0U);
 }
-INSTANTIATE_TEST_SUITE_P(Tests, CoreWithErrors, testing::Values(4, 0),
-                         [](const auto& each) { return each.param == 0 ? "Serial" : "Unit"; });
+INSTANTIATE_TEST_SUITE_P(Tests, CoreWithErrors, testing::Bool(),
+                         [](const auto& each) { return each.param ? "Serial" : "Unit"; });
 
 }  // namespace
 }  // namespace hitpipe::sim::core_failures_test

@@ -1,7 +1,9 @@
 // The files of a core: testbench and system pass in the simulators, and see damage. The tools have nothing to
 // say of the Verilog.
 #include <algorithm>
+#include <map>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -14,6 +16,7 @@
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/text.hpp"
 #include "tests/rtl_gen/tool.hpp"
+#include "tests/sim/core/run_make.hpp"
 
 namespace hitpipe::sim::core_files_test {
 namespace {
@@ -30,14 +33,6 @@ std::vector<host::File> files_of(const rtl::CoreOptions& options, const std::str
   return rtl::core_files(core, library(), core_test(core, 2000, 7));
 }
 
-/// The C++ compiler optimises nothing, and compiles Verilator's own code once for all tests.
-rtl::ToolResult made(const std::filesystem::path& folder, const std::string& target) {
-  return rtl::run_tool(folder, "make", "make",
-                       fmt::format("-s -C tb {} OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0 "
-                                   "OBJCACHE='sh " HITPIPE_SOURCE "/tests/rtl_gen/emit/kept_object.sh'",
-                                   target));
-}
-
 struct Kind {
   const char* name;
   rtl::CoreOptions options;
@@ -45,19 +40,30 @@ struct Kind {
   bool in_verilator = false;
 };
 
+const Kind usual{"Usual", {.bits = {12, 1, 7, 0, 12, 0}}, true};
+const Kind questions{"Questions", {.bits = {12, 1, 7, 0, 12, 0}, .rays = 8, .questions = true}};
+
+/// Those that are damaged are made once.
+const std::vector<host::File>& files_of(const Kind& kind) {
+  static std::map<std::string, std::vector<host::File>> made;
+  const auto [files, is_new] = made.try_emplace(kind.name);
+  if (is_new) files->second = files_of(kind.options);
+  return files->second;
+}
+
 class CoreFiles : public testing::TestWithParam<Kind> {};
 
 TEST_P(CoreFiles, PassInAllTools) {
   const host::ScratchFolder folder("core-files");
-  host::write_files(folder.path(), files_of(GetParam().options));
+  host::write_files(folder.path(), files_of(GetParam()));
   rtl::expect_silent_tools(folder.path(), {{"core_axi", "core"}});
   for (const std::string target : {"icarus", "verilator"}) {
     if (target == "verilator" && !GetParam().in_verilator) continue;
-    const rtl::ToolResult result = made(folder.path(), target);
+    const rtl::ToolResult result = run_make(folder.path(), target);
     EXPECT_EQ(result.status, 0) << result.output;
     EXPECT_THAT(result.output, HasSubstr("PASS 2000 cycles"));
   }
-  const rtl::ToolResult system = made(folder.path(), "harness");
+  const rtl::ToolResult system = run_make(folder.path(), "harness");
   EXPECT_EQ(system.status, 0) << system.output;
   EXPECT_THAT(system.output, HasSubstr("PASS 1000 rays"));
 }
@@ -65,7 +71,7 @@ TEST_P(CoreFiles, PassInAllTools) {
 INSTANTIATE_TEST_SUITE_P(
     Kinds, CoreFiles,
     testing::Values(
-        Kind{"Usual", {.bits = {12, 1, 7, 0, 12, 0}}, true},
+        usual,
         Kind{"OneRay",
              {.bits = {10, 2, 6, -1, 9, 2},
               .rays = 1,
@@ -85,75 +91,65 @@ INSTANTIATE_TEST_SUITE_P(
               .triangle_interval = 9},
              true},
         Kind{"Floats",
-             {.bits = {14, 1, 7, 0, 12, 1},
-              .rays = 9,
-              .tag_bits = 64,
-              .door = rtl::Door::binary32,
-              .data_bits = 64}},
+             {.bits = {14, 1, 7, 0, 12, 1}, .rays = 9, .tag_bits = 64, .data_bits = 64, .float_door = true}},
         Kind{"Serial",
              {.bits = {12, 0, 7, 0, 12, 0},
               .rays = 2,
               .stack_bits = 1,
               .levels = 24,
-              .triangle_interval = 0,
               .clock_ps = 40'000,
-              .block_rams = 26}},
-        Kind{"Weights", {.bits = {12, 1, 7, 0, 12, 0}, .weights = true}},
-        Kind{"Questions", {.bits = {12, 1, 7, 0, 12, 0}, .rays = 8, .questions = true}},
-        Kind{"Narrow",
+              .block_rams = 26,
+              .serial_triangle = true}},
+        Kind{"WeightsInHalfABlock",
+             {.bits = {12, 1, 7, 0, 12, 0}, .rays = 40, .data_bits = 128, .weights = true}},
+        questions,
+        Kind{"NarrowAndCached",
              {.bits = {12, 1, 7, 0, 12, 0},
               .rays = 8,
               .levels = 24,
               .address_bits = 12,
               .number_bits = 8,
               .leaf_bits = 3,
-              .step_bits = 8},
-             true},
-        Kind{"NarrowWithQuestions",
+              .step_bits = 8,
+              .cache = {.kib = 4}}},
+        Kind{"NarrowWithQuestionsInTwoBlocks",
              {.bits = {12, 1, 7, 0, 12, 0},
               .rays = 8,
               .levels = 24,
               .number_bits = 4,
               .leaf_bits = 2,
               .step_bits = 4,
+              .data_bits = 512,
               .questions = true}},
-        Kind{"HalfABlock", {.bits = {12, 1, 7, 0, 12, 0}, .rays = 40, .data_bits = 128}},
         Kind{"InOrderWithFewLevels", {.bits = {8, 0, 4, 0, 8, 0}, .levels = 5, .in_order = true}},
-        Kind{"TwoBlocks", {.bits = {8, 0, 4, 0, 8, 0}, .data_bits = 512}},
-        Kind{"Cached", {.bits = {12, 1, 7, 0, 12, 0}, .cache_kib = 4}, true},
         Kind{"CachedInManyBeats",
              {.bits = {8, 0, 4, 0, 8, 0},
               .rays = 9,
-              .door = rtl::Door::binary32,
               .data_bits = 64,
-              .cache_kib = 2,
-              .cache_line = 32}},
+              .float_door = true,
+              .cache = {.kib = 2, .line = 32}}},
         Kind{"CachedInOneBeat",
              {.bits = {8, 0, 4, 0, 8, 0},
               .rays = 40,
-              .triangle_interval = 0,
               .data_bits = 512,
-              .cache_kib = 8,
-              .cache_ways = 4}},
-        Kind{"Rings",
-             {.bits = {12, 1, 7, 0, 12, 0}, .rays = 20, .door = rtl::Door::binary32, .rings = true},
-             true},
+              .serial_triangle = true,
+              .cache = {.kib = 8, .ways = 4}}},
+        Kind{"Rings", {.bits = {12, 1, 7, 0, 12, 0}, .rays = 20, .float_door = true, .rings = true}},
         Kind{"RingsAndACache",
              {.bits = {8, 0, 4, 0, 8, 0},
               .address_bits = 6,
               .byte_bits = 11,
               .tag_bits = 24,
-              .door = rtl::Door::binary32,
-              .rings = true,
               .data_bits = 64,
-              .cache_kib = 2,
-              .cache_line = 32}}),
+              .float_door = true,
+              .cache = {.kib = 2, .line = 32},
+              .rings = true}}),
     [](const auto& each) { return each.param.name; });
 
 /// A change of one file, and what sees it.
 struct Damage {
   const char *name, *file, *good, *bad, *target;
-  bool questions = false;
+  Kind of = usual;
 };
 
 class DamagedCore : public testing::TestWithParam<Damage> {};
@@ -161,12 +157,11 @@ class DamagedCore : public testing::TestWithParam<Damage> {};
 TEST_P(DamagedCore, IsSeen) {
   const Damage& damage = GetParam();
   const host::ScratchFolder folder("damaged-core");
-  std::vector<host::File> files =
-      files_of({.bits = {12, 1, 7, 0, 12, 0}, .rays = 8, .questions = damage.questions});
+  std::vector<host::File> files = files_of(damage.of);
   for (host::File& file : files)
     if (file.name == damage.file) file.contents = rtl::replaced(file.contents, damage.good, damage.bad);
   host::write_files(folder.path(), files);
-  const rtl::ToolResult result = made(folder.path(), damage.target);
+  const rtl::ToolResult result = run_make(folder.path(), damage.target);
   EXPECT_NE(result.status, 0);
   EXPECT_THAT(result.output, HasSubstr("FAIL"));
 }
@@ -184,10 +179,11 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"AnswersAreCountedAlways", "core_axi.v", "count_answers <= next_count_answers_value",
                "count_answers <= next_count_answers_value + 40'h1", "harness"},
         Damage{"SecondMoveOfATieIsLeftOut", "core.v", "still = meets_word & zero_1", "still = 3'h0",
-               "harness", true},
+               "harness", questions},
         Damage{"TieCountsTwice", "core.v", "ties_and = hit_1 & ~again", "ties_and = hit_1 & ~again_and",
-               "harness", true},
-        Damage{"TieIsMovedUpAlways", "core.v", "inner_1 ^ {3{tested_down_1}}", "inner_1", "harness", true}),
+               "harness", questions},
+        Damage{"TieIsMovedUpAlways", "core.v", "inner_1 ^ {3{tested_down_1}}", "inner_1", "harness",
+               questions}),
     [](const auto& each) { return each.param.name; });
 
 TEST(CoreFiles, HaveTheModulesName) {
@@ -242,7 +238,7 @@ TEST(Core, RefusesOptions) {
   EXPECT_EQ(said({.leaf_bits = 9}), "bits of the number of triangles in a leaf 9: allowed is 2 to 8");
   EXPECT_EQ(said({.step_bits = 21}), "bits of the number of steps 21: allowed is 4 to 20");
   EXPECT_EQ(said({.triangle_interval = 2}), "cycles from triangle to triangle 2: allowed is 3 to 64");
-  EXPECT_THAT(said({.triangle_interval = 0, .weights = true}), HasSubstr("not with the serial test"));
+  EXPECT_THAT(said({.serial_triangle = true, .weights = true}), HasSubstr("not with the serial test"));
   EXPECT_THAT(said({.bits = {25, 1, 11, 0, 20, 0}}), HasSubstr("core: there is no format 25+1/11s20"));
 }
 

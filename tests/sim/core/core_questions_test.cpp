@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "rtl_gen/core/feature.hpp"
 #include "sim/core/native_core.hpp"
 #include "sim/core/vector_scenes.hpp"
 #include "sim/machine/verilated_machine.hpp"
@@ -96,7 +97,7 @@ struct Form {
   int cache_kib = 0;
   bool weights = false;
   bool verilog = false;
-  rtl::Door door = rtl::Door::integer;
+  bool floats = false;
   bool narrow = false;  ///< as few bits as the image needs for triangle numbers and leaf counts
 };
 
@@ -109,9 +110,9 @@ TEST_P(CoreWithQuestions, CountsAndWalksThroughAllCrossings) {
   rtl::CoreOptions options = options_of(form.rays, form.stack_bits);
   options.bits = form.bits;
   options.triangle_interval = form.triangle_interval;
-  options.cache_kib = form.cache_kib;
+  options.cache.kib = form.cache_kib;
   options.weights = form.weights;
-  options.door = form.door;
+  options.float_door = form.floats;
   options.questions = true;
   if (form.narrow) {
     options.number_bits = image.header.number_bits();
@@ -121,7 +122,7 @@ TEST_P(CoreWithQuestions, CountsAndWalksThroughAllCrossings) {
     EXPECT_EQ(options.leaf_bits, 2);
   }
   MemoryOptions memory{.least_latency = 1, .most_latency = 60, .refused_percent = 20};
-  memory.reads_lines = options.has_cache();
+  memory.reads_lines = rtl::bus_of(options).has_lines;
   const rtl::Core core = rtl::make_core(options, library());
   std::unique_ptr<rtl::NativeMachine> machine;
   BothCores* both = nullptr;
@@ -153,9 +154,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Form{"NoFinerOrigins", {8, 0, 4, 0, 8, 0}, 32, 2},
                     Form{"WithAFraction", {16, 2, 9, -1, 14, 3}, 32, 2},
                     Form{"InVerilog", bits, 12, 1, 4, 0, false, true},
-                    Form{"NarrowInVerilog", bits, 12, 1, 4, 0, false, true, rtl::Door::integer, true},
+                    Form{"NarrowInVerilog", bits, 12, 1, 4, 0, false, true, false, true},
                     Form{"CachedInVerilog", bits, 12, 1, 8, 2, true, true},
-                    Form{"FloatsInVerilog", bits, 12, 2, 4, 0, false, true, rtl::Door::binary32},
+                    Form{"FloatsInVerilog", bits, 12, 2, 4, 0, false, true, true},
                     Form{"OfTheDefaultInVerilog", hls::RayBits{}, 12, 2, 8, 0, false, true}),
     [](const auto& each) { return each.param.name; });
 
@@ -222,10 +223,10 @@ TEST_F(Polyhedra, AreCrossedOddlyIfTiesAreWrong) {
 TEST(CoreQuestions, AreRefusedWhereTheyCannotBe) {
   rtl::CoreOptions options;
   options.questions = true;
-  options.triangle_interval = 0;
+  options.serial_triangle = true;
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(rtl::make_core(options, library())); }),
             "questions count and next: allowed with a triangle unit, not with the serial test");
-  options = {.door = rtl::Door::binary32, .rings = true, .questions = true};
+  options = {.float_door = true, .rings = true, .questions = true};
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(rtl::make_core(options, library())); }),
             "questions count and next: allowed with rays at pins, not with rays from memory");
 }

@@ -33,12 +33,39 @@ void bus_write(uint32_t address, uint32_t value) {
 uint32_t bus_read(uint32_t address) {
   return words[(address - CORE_REGISTERS) / 4];
 }
+#if CORE_HAS_RINGS
+void memory_write(uint64_t address, const uint8_t* bytes, uint32_t count) {
+  words[63] += address + count + bytes[0] != 0;
+}
+void memory_read(uint64_t address, uint8_t* bytes, uint32_t count) {
+  memset(bytes, (int)address, count);
+}
+/* What the driver says when so many answers are known. */
+static void poll(struct core_rings* rings) {
+  const uint32_t there = core_answers(rings);
+  printf("%" PRIu32 " there, %s\n", there, rings->wrong ? rings->wrong : "right");
+}
+static void poll_rings(void) {
+  struct core_rings rings;
+  if (core_start_rings(&rings, 0x1000, 0x2000, 4)) return;
+  words[CORE_REG_ANSWERED / 4] = 2;
+  words[CORE_REG_STATUS / 4] = CORE_RING_ERROR;
+  poll(&rings);
+  poll(&rings);
+  words[CORE_REG_STATUS / 4] = CORE_OVERFULL;
+  poll(&rings);
+  words[CORE_REG_STATUS / 4] = CORE_UNWRITTEN;
+  poll(&rings);
+}
+#else
 bool fifo_send(uint32_t tag, const uint8_t* bytes) {
   return tag == bytes[0];
 }
 bool fifo_take(uint32_t* tag, uint8_t* bytes) {
   return *tag == bytes[0];
 }
+static void poll_rings(void) {}
+#endif
 int main(int count, char** arguments) {
   static uint8_t bytes[1 << 20];
   struct core_image image;
@@ -50,6 +77,7 @@ int main(int count, char** arguments) {
   words[CORE_REG_FORMAT / 4] = CORE_FORMAT;
   words[CORE_REG_SHAPE / 4] = CORE_SHAPE;
   words[CORE_REG_PORTS / 4] = CORE_PORTS;
+  words[CORE_REG_LIMITS / 4] = CORE_LIMITS;
   words[CORE_REG_STATUS / 4] = CORE_IDLE;
   for (int i = 3; i < count; ++i) {
     char* end;
@@ -66,17 +94,26 @@ int main(int count, char** arguments) {
            (uint64_t)words[CORE_REG_BASE_HIGH / 4] << 32 | words[CORE_REG_BASE_LOW / 4],
            words[CORE_REG_LAST_BLOCK / 4], words[CORE_REG_MOST_RAYS / 4], image.triangles, image.missing,
            image.scale, image.offset[1]);
+    poll_rings();
   }
   return 0;
 }
 )";
 
+rtl::CoreOptions small_core() {
+  return {.rays = 8, .levels = 30, .address_bits = 12, .byte_bits = 36, .number_bits = 9, .leaf_bits = 2};
+}
+rtl::CoreOptions with_rings() {
+  rtl::CoreOptions options = small_core();
+  options.float_door = true;
+  options.rings = true;
+  return options;
+}
+
 class CoreDriver : public testing::Test {
  protected:
-  CoreDriver() {
-    const rtl::Core core = rtl::make_core(
-        {.rays = 8, .levels = 30, .address_bits = 12, .byte_bits = 36, .number_bits = 9, .leaf_bits = 2},
-        rtl::library_called(rtl::default_library), "hitpipe_core");
+  explicit CoreDriver(rtl::CoreOptions options = small_core()) {
+    const rtl::Core core = rtl::make_core(options, rtl::library_called(rtl::default_library), "hitpipe_core");
     host::write_files(folder_.path(), {{"hitpipe_core.h", rtl::c_header(core)}, {"main.c", program}});
     const rtl::ToolResult built =
         rtl::run_tool(folder_.path(), "gcc", "cc",
@@ -116,7 +153,7 @@ TEST_F(CoreDriver, StartsWithAnImageThatTheCoreCanRead) {
 TEST_F(CoreDriver, SaysWhyItDoesNotStart) {
   EXPECT_EQ(says(bytes_, "0x40 0x00=0x48697471"), "no core answers at that address, 0 writes");
   EXPECT_EQ(says(bytes_, "0x40 0x04=1"), "the core has another version than its header, 0 writes");
-  for (const char* const reg : {"0x28", "0x2c", "0x30"})
+  for (const char* const reg : {"0x28", "0x2c", "0x30", "0x38"})
     EXPECT_EQ(says(bytes_, fmt::format("0x40 {}=0", reg)),
               "the core was made with other options than its header, 0 writes");
   EXPECT_EQ(says(bytes_, "0x40 0x08=0"), "the core has rays, 0 writes");
@@ -165,8 +202,23 @@ TEST_F(CoreDriver, RefusesAnImageThatIsNotTheCores) {
   EXPECT_EQ(of(large, image_.header), "the image has more blocks than the core can name, 0 writes");
   large.resize(4096);
   EXPECT_NE(of(large, image_.header).find("starts at 0x40, last 4095"), std::string::npos);
+  large.resize(101);
+  EXPECT_EQ(of(large, image_.header), "the image does not end where a line does, 0 writes");
   large.resize(2);
   EXPECT_EQ(says(ref::core_image_bytes(large), "0x40"), "there is no image, 0 writes");
+}
+
+class RingDriver : public CoreDriver {
+ protected:
+  RingDriver() : CoreDriver(with_rings()) {}
+};
+
+TEST_F(RingDriver, SaysWhyNoFurtherAnswerComes) {
+  const std::string said = says(bytes_, "0x40");
+  EXPECT_EQ(said.substr(said.find("offset")),
+            "offset 0.299999999999999992 there, right\n2 there, right\n"
+            "2 there, more rays were offered than a ring has places\n"
+            "2 there, an answer could not be written to memory\n");
 }
 
 }  // namespace

@@ -19,14 +19,15 @@ nlohmann::json core_file(const rtl::Library& library) {
   return rtl::cores_in(folder.path()).at("tracer.core");
 }
 
-TEST(FuseSoCCore, HasTheHeaderByDefault) {
+TEST(FuseSoCCore, HasHeaderAndRegistersByDefault) {
   const nlohmann::json core = core_file(rtl::Library::thesis());
   const nlohmann::json& targets = core.at("targets");
-  EXPECT_EQ(targets.at("default").at("filesets"), (nlohmann::json{"rtl", "axi", "header"}));
+  EXPECT_EQ(targets.at("default").at("filesets"), (nlohmann::json{"rtl", "axi", "header", "registers"}));
   EXPECT_EQ(targets.at("harness").at("filesets"), (nlohmann::json{"rtl", "axi", "header", "harness"}));
   const nlohmann::json& header = core.at("filesets").at("header");
   EXPECT_EQ(header.at("file_type"), "cSource");
   EXPECT_EQ(header.at("files"), (nlohmann::json::parse(R"([{"tracer.h": {"is_include_file": true}}])")));
+  EXPECT_EQ(core.at("filesets").at("registers").at("files"), (nlohmann::json{"tracer.rdl"}));
 }
 
 TEST(FuseSoCCore, IsSynthesisedAsTheLibrarySays) {

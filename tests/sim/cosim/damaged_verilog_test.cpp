@@ -62,7 +62,7 @@ UnitCounts traced(const VerilatedDesign& design) {
         const glm::vec3 direction(0.04F * x - 0.38F, 0.04F * y - 0.68F, -1.0F);
         return RayJob{{scene.camera.eye, direction, ref::Ray::infinite}, ref::Query::closest, given++};
       },
-      [](const RayJob&, const ref::Hit&) {});
+      [](const RayJob&, const RayAnswer&) {});
   return unit.counts();
 }
 

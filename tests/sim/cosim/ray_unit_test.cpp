@@ -61,10 +61,10 @@ class RayUnitOnHills : public testing::TestWithParam<TestedUnit> {
     outcome.triangles.resize(jobs_.size());
     std::size_t given = 0;
     unit.run([&] { return given < jobs_.size() ? std::optional(jobs_[given++]) : std::nullopt; },
-             [&](const RayJob& job, const ref::Hit& hit) {
+             [&](const RayJob& job, const RayAnswer& answer) {
                ++outcome.ended;
-               const bool only_blocked = job.query == ref::Query::any && hit.found();
-               outcome.triangles[job.id] = only_blocked ? 0 : hit.triangle;
+               const bool only_blocked = job.query == ref::Query::any && answer.hit.found();
+               outcome.triangles[job.id] = only_blocked ? 0 : answer.hit.triangle;
              });
     outcome.counts = unit.counts();
     return outcome;
@@ -213,7 +213,7 @@ TEST_P(RayUnitOnHills, ShareOfTheTestsIsComparedBitByBit) {
                   .referee = false});
     std::size_t given = 0;
     unit.run([&] { return given < jobs_.size() ? std::optional(jobs_[given++]) : std::nullopt; },
-             [](const RayJob&, const ref::Hit&) {});
+             [](const RayJob&, const RayAnswer&) {});
     return unit.counts();
   };
   // 2 is no answer of any Verilog.

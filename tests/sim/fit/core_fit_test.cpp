@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rtl_gen/core/feature.hpp"
 #include "sim/core/core_trace.hpp"
 #include "sim/core/native_core.hpp"
+#include "sim/fit/world_search.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/small_scene.hpp"
 
@@ -25,7 +27,7 @@ CoreFitOptions small() {
 rtl::CoreOptions with_rays(int rays, int interval) {
   rtl::CoreOptions core;
   core.rays = rays;
-  core.triangle_interval = interval;
+  rtl::core_option("--triangle-ii").set(core, interval);
   return core;
 }
 
@@ -55,9 +57,21 @@ TEST(CoreFit, IsSmallerThanTheDefaultCoreAndRight) {
   ASSERT_FALSE(fit.tried.empty());
   for (const TriedWorld& each : fit.tried) {
     if (each.taken) {
-      EXPECT_LE(each.error_pct, options.error_pct);
+      EXPECT_LE(each.worst().percent_interval().high, options.error_pct);
+      EXPECT_GE(each.worst().whole, rays_that_tell(options.error_pct))
+          << "a picture of 16 x 16 tells nothing";
     }
   }
+}
+
+TEST(CoreFit, ComparesAsManyRaysAsTheErrorNeeds) {
+  for (const double error_pct : {0.01, 0.05, 1.0, 50.0}) {
+    const std::uint64_t rays = rays_that_tell(error_pct).value();
+    const auto half = static_cast<std::uint64_t>(error_pct / 200 * static_cast<double>(rays));
+    const ref::Share differ{half, rays};
+    EXPECT_NEAR(differ.percent_interval().high / error_pct, 1, 0.12) << error_pct;
+  }
+  EXPECT_FALSE(rays_that_tell(0)) << "no number of rays tells that none differs";
 }
 
 TEST(CoreFit, WidthsAreTheLeastThatHoldTheImages) {

@@ -69,7 +69,8 @@ TEST(CoreImplementation, MemoriesOfAChipAreLutRams) {
   memories.add(memories_of(core));
   EXPECT_EQ(made.core.chip.module, "box");
   expect_memories(made.core, memories);
-  for (const rtl::MachineGraph& machine : rtl::axi_machines(core)) memories.add(machine.memories);
+  for (const rtl::Part& part : rtl::behind_axi(core).parts)
+    if (part.graph) memories.add(part.graph->memories);
   EXPECT_GT(memories.bits, made.core.memory_bits);
   EXPECT_EQ(made.axi.chip.module, "box_axi");
   expect_memories(made.axi, memories);

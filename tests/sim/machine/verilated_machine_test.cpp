@@ -51,8 +51,8 @@ std::vector<MachineAt> machines() {
   std::vector<MachineAt> all;
   for (const rtl::Machine& machine : rtl::machines()) {
     all.push_back({&machine, machine.default_format});
-    rtl::FormatNumbers least{};
     const rtl::FormatFamily& family = machine.default_format.family();
+    rtl::FormatNumbers least = family.usual;
     for (std::size_t i = 0; i < family.fields.size(); ++i)
       if (!family.fields[i].optional) least[i] = family.fields[i].least;
     all.push_back({&machine, {family, least}});

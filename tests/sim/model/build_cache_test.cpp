@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -265,6 +266,39 @@ TEST(ModelCacheFolder, IsTheFirstOfThreeVariables) {
   EXPECT_EQ(default_cache(), "/var/caches/hitpipe");
   const EnvironmentValue empty_user_cache("XDG_CACHE_HOME", "");
   EXPECT_EQ(default_cache(), "/home/someone/.cache/hitpipe");
+  const EnvironmentValue no_home("HOME", std::nullopt);
+  const EnvironmentValue temporary("TMPDIR", "/var/tmp");
+  EXPECT_EQ(default_cache(), fmt::format("/var/tmp/hitpipe-cache-{}", geteuid()));
+  const EnvironmentValue no_temporary("TMPDIR", std::nullopt);
+  EXPECT_EQ(default_cache(), fmt::format("/tmp/hitpipe-cache-{}", geteuid()));
+}
+
+TEST_F(ModelCache, OfOthersIsNotLoaded) {
+  const mode_t mask = umask(0);
+  build_in(cache_);
+  umask(mask);
+  EXPECT_EQ(fs::status(cache_).permissions(), fs::perms::owner_all);
+  const fs::path entry = only_entry(cache_);
+  const std::string advice = ", so the code in it is not run; set HITPIPE_CACHE to another folder";
+  for (const fs::path& folder : {cache_, entry}) {
+    for (const fs::perms more : {fs::perms::group_write, fs::perms::others_write}) {
+      fs::permissions(folder, more, fs::perm_options::add);
+      EXPECT_EQ(error_of_build(cache_), folder.string() + ": other users may write to it" + advice +
+                                            ", or take that right from them (chmod go-w)");
+      fs::permissions(folder, more, fs::perm_options::remove);
+    }
+  }
+  fs::create_directory_symlink(cache_, folder_.path() / "link");
+  if (geteuid() == 0) {
+    for (const fs::path& path : {cache_, entry, entry / "model.so", folder_.path() / "link"}) {
+      ASSERT_EQ(lchown(path.c_str(), 1, 1), 0);
+      EXPECT_EQ(error_of_build(path.filename() == "link" ? path : cache_),
+                path.string() + ": belongs to another user" + advice);
+      ASSERT_EQ(lchown(path.c_str(), 0, 0), 0);
+    }
+  }
+  build_in(cache_);
+  EXPECT_EQ(stub_.runs(), 1);
 }
 
 }  // namespace

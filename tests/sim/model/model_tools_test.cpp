@@ -70,6 +70,10 @@ TEST_F(ModelTools, VerilatorRootThatIsNoFolderRejected) {
   const EnvironmentValue root("VERILATOR_ROOT", "/none");
   EXPECT_EQ(error_of_build(cache_),
             "VERILATOR_ROOT is /none, which is no folder; set it to Verilator's folder, or do not set it");
+  const EnvironmentValue wrong("VERILATOR_ROOT", folder_.path().string());
+  EXPECT_EQ(error_of_build(cache_),
+            "VERILATOR_ROOT is " + folder_.path().string() +
+                ", which has no include/verilated.h; set it to Verilator's folder, or do not set it");
 }
 
 /// A stand-in for clang++ comes first in PATH.
@@ -100,6 +104,32 @@ TEST_F(ModelTools, TakesAPathOfACompilerWithBlanks) {
       "CXX", folder_.write_program("it's a compiler", "#!/bin/sh\nexec c++ \"$@\"\n").string());
   build_in(cache_);
   EXPECT_EQ(stub_.runs(), 1);
+}
+
+/// A stand-in keeps how it is called.
+TEST_F(ModelTools, GivesTheCompilerMoreOptionsAndBuildsAModelForEach) {
+  const fs::path calls = folder_.path() / "calls";
+  const EnvironmentValue compiler(
+      "CXX",
+      folder_.write_program("compiler", "#!/bin/sh\necho \"$@\" >>" + calls.string() + "\nexec c++ \"$@\"\n")
+          .string());
+  for (const char* const options : {"-O0 -DMORE", "", "-O0 -DMORE"}) {
+    const EnvironmentValue more("CXXFLAGS", options);
+    build_in(cache_);
+  }
+  EXPECT_EQ(stub_.runs(), 2);
+  std::size_t with = 0, without = 0;
+  std::ifstream in(calls);
+  for (std::string call; std::getline(in, call);) {
+    if (call.find("-shared") == std::string::npos) continue;
+    const bool more = call.find(" -O0 -DMORE ") != std::string::npos;
+    ++(more ? with : without);
+    if (more) {
+      EXPECT_LT(call.find("-O2"), call.find("-O0"));
+    }
+  }
+  EXPECT_EQ(with, 1U);
+  EXPECT_EQ(without, 1U);
 }
 
 TEST_F(ModelTools, KilledCompilerRejected) {

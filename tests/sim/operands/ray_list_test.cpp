@@ -104,6 +104,25 @@ TEST_F(RayList, ColumnsHaveAnyOrderAndTheLastTwoMayBeMissing) {
 }
 
 /// Points of a ray move with the scene, and its direction stays.
+TEST_F(RayList, CellsMayBeInQuotes) {
+  const std::string plain =
+      "ox,oy,oz,dx,dy,dz,length,any\n0.5,0,0,1,-1,0,2,1\n0,0,0,0,1,0,inf,0\n0,0,0,0,1,0,,\n";
+  std::string quoted;
+  for (const char c : plain) {
+    if (quoted.empty() || quoted.ends_with('\n')) quoted += '"';
+    quoted += c == ',' ? "\",\"" : c == '\n' ? "\"\r\n" : std::string(1, c);
+  }
+  EXPECT_EQ(in_binary(read("quoted.csv", quoted)), in_binary(read("plain.csv", plain)));
+  const std::string head = "\xEF\xBB\xBF\"ox\", \"oy\" ,oz,dx,dy,dz\r\n";
+  EXPECT_EQ(read("some.csv", head + "\" 1 \",0,\"0\",1,\"-1e-3\",0\r\n").at(0).ray.direction.y, -1e-3F);
+  rejected("a.csv", head + "\"1,5\",0,0,1,0,0\n", "line 2: ox is \"1,5\", which is no number");
+  rejected("a.csv", head + "\"1\"\"5\",0,0,1,0,0\n", "line 2: ox is \"1\"\"5\", which is no number");
+  rejected("a.csv", head + "1,\"0,0,1,0,0\n", "line 2: a quote is not closed; a cell must end in its line");
+  rejected("a.csv", "\"ox, far\",oy,oz,dx,dy,dz\n",
+           "line 1: column \"ox, far\" is not known; the first line must name the columns "
+           "ox,oy,oz,dx,dy,dz[,length,any]");
+}
+
 TEST_F(RayList, MovesIntoTheCubeWithTheScene) {
   const ref::Normalisation metres{{10.0, 20.0, 30.0}, 0.125};
   const ref::Ray one = ray("12,20,30,0,4,0,1.5", metres);

@@ -54,10 +54,14 @@ inline SweepRow a_row() {
   row.indexed_bytes_4kib = 5'000'000;
   row.indexed_bytes_16kib = 3'000'000;
   row.indexed_bytes_64kib = 2'000'000;
+  row.extra_box_pct_low = -0.25;
+  row.extra_box_pct_high = -0.125;
+  row.extra_triangle_pct_low = 1;
+  row.extra_triangle_pct_high = 2;
   row.rtl_seconds = 0.125;
   row.software_s = 1.75;
-  row.software_s_lower = 1.5;
-  row.software_s_upper = 2;
+  row.software_s_low = 1.5;
+  row.software_s_high = 2;
   return row;
 }
 

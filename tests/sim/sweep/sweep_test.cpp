@@ -39,10 +39,10 @@ std::vector<SweepRow> swept(const ref::Scene& scene, const ref::Bvh& bvh,
   for (auto& [key, row] : rows) {
     EXPECT_GT(row.rtl_seconds, -1e-9);
     EXPECT_GT(row.software_s, 0.0);
-    EXPECT_LE(row.software_s_lower, row.software_s);
-    EXPECT_GE(row.software_s_upper, row.software_s);
+    EXPECT_LE(row.software_s_low, row.software_s);
+    EXPECT_GE(row.software_s_high, row.software_s);
     row.rtl_seconds = 0;
-    row.software_s = row.software_s_lower = row.software_s_upper = std::nullopt;
+    row.software_s = row.software_s_low = row.software_s_high = std::nullopt;
     sorted.push_back(row);
   }
   return sorted;

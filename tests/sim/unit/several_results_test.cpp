@@ -160,7 +160,7 @@ UnitCounts traced(const rtl::Evaluate::Run cpp) {
     return RayJob{
         {{along, 0.9F, -along}, {along / 2, -1, 0.3F}, ref::Ray::infinite}, ref::Query::closest, given++};
   };
-  unit.run(next, [](const RayJob&, const ref::Hit&) {});
+  unit.run(next, [](const RayJob&, const RayAnswer&) {});
   return unit.counts();
 }
 

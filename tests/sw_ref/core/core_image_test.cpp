@@ -216,7 +216,10 @@ INSTANTIATE_TEST_SUITE_P(
                "the image has version 3 of its layout; allowed is 2"},
         Damage{"TriangleInTheHeader", [](auto& b) { b[3][3] = b[last_triangle(b)][3]; }, differs,
                "as its word 11; allowed is 0"},
-        Damage{"Cut", [](auto& b) { b.pop_back(); }, "blocks; allowed are", "a child lies outside the image"},
+        Damage{"Cut", [](auto& b) { b.resize(b.size() - 2); }, "blocks; allowed are",
+               "a child lies outside the image"},
+        Damage{"CutInALine", [](auto& b) { b.pop_back(); }, "blocks; allowed are",
+               "allowed is an even number"},
         Damage{"HalfWritten",
                [](auto& b) {
                  std::fill(b.begin() + static_cast<std::ptrdiff_t>(b.size() / 2), b.end(), CoreBlock{});

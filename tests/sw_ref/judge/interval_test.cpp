@@ -83,6 +83,68 @@ TEST(GroupedRatio, HoldsTheTrueRatioIn95OfAHundredSamples) {
   EXPECT_NEAR(share_that_hold(1.5, of_many_groups), 0.95, 0.02);
 }
 
+TEST(Share, IntervalHoldsTheTrueShareIn95OfAHundredSamples) {
+  std::mt19937_64 random(3);
+  for (const double truth : {0.0005, 0.01, 0.3, 0.999}) {
+    std::binomial_distribution<std::uint64_t> drawn(20'000, truth);
+    const auto sample = [&] { return Share{drawn(random), 20'000}.percent_interval(); };
+    EXPECT_NEAR(share_that_hold(100 * truth, sample), 0.95, 0.02) << truth;
+  }
+  EXPECT_DOUBLE_EQ((Share{1, 4}.percent()), 25);
+  EXPECT_EQ((Share{0, 0}.percent()), 0);
+}
+
+/// A group with as many tests as its reference, or with more in few groups.
+TEST(ExtraWork, HoldsTheTruePercentIn95OfAHundredSamples) {
+  std::mt19937_64 random(2);
+  std::geometric_distribution<std::uint64_t> size(0.05), more(0.2);
+  for (const double groups_with_more : {0.005, 0.01, 0.1, 0.7}) {
+    std::bernoulli_distribution has_more(groups_with_more);
+    // A geometric number is (1 - p) / p on average.
+    const double truth = 100 * groups_with_more * (1 + 4.0) / (10 + 19.0);
+    const auto sample = [&] {
+      ExtraWork extra;
+      for (int group = 0; group < 1'000; ++group) {
+        const std::uint64_t reference = 10 + size(random);
+        extra.add(reference + (has_more(random) ? 1 + more(random) : 0), reference);
+      }
+      return *extra.percent_interval();
+    };
+    EXPECT_NEAR(share_that_hold(truth, sample), 0.95, 0.02) << groups_with_more;
+  }
+  std::uniform_int_distribution<std::uint64_t> other(0, 20);
+  const auto of_less_and_more = [&] {
+    ExtraWork extra;
+    for (int group = 0; group < 300; ++group) extra.add(20 + other(random), 20 + other(random));
+    return *extra.percent_interval();
+  };
+  EXPECT_NEAR(share_that_hold(0, of_less_and_more), 0.95, 0.02);
+}
+
+TEST(ExtraWork, OfNoneIsBoundByTheNumberOfGroups) {
+  ExtraWork none;
+  EXPECT_FALSE(none.percent_interval());
+  for (int group = 0; group < 20; ++group) none.add(32, 32);
+  EXPECT_EQ(none.percent(), 0);
+  expect_interval(*none.percent_interval(), 0.0, 16.1125);
+}
+
+TEST(ExtraWork, AddsUp) {
+  ExtraWork first, second;
+  first.add(40, 32);
+  second.add(30, 32);
+  second.add(33, 32);
+  ExtraWork all;
+  all.add(40, 32);
+  all.add(30, 32);
+  all.add(33, 32);
+  first += second;
+  EXPECT_EQ(first.percent(), all.percent());
+  EXPECT_EQ(first.percent_interval()->low, all.percent_interval()->low);
+  EXPECT_EQ(first.percent_interval()->high, all.percent_interval()->high);
+  EXPECT_LT(all.percent_interval()->low, 0) << "a group with less makes it symmetrical";
+}
+
 TEST(Middle, HasAnIntervalFromSixValuesOn) {
   EXPECT_FALSE(middle_of({5, 1, 4, 2, 3}).interval);
   EXPECT_EQ(middle_of({5, 1, 4, 2, 3}).median, 3);

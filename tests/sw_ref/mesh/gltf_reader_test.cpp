@@ -2,6 +2,7 @@
 #include "sw_ref/mesh/gltf_reader.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,7 +81,59 @@ TEST(ReadGltf, NodesMoveTheirMeshes) {
   EXPECT_NEAR(mesh.positions[3].y, -1, 1e-15);
   EXPECT_EQ(mesh.positions[3].z, 0.1);
   EXPECT_EQ(mesh.positions[7], glm::dvec3(8, 2, 5));
-  EXPECT_EQ(mesh.corners, (Corners{0, 1, 2, 1, 3, 2, 4, 5, 6, 5, 7, 6}));
+  EXPECT_EQ(mesh.corners, (Corners{0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6}));
+}
+
+TEST(ReadGltf, TransformsThatMirrorSwapTwoCorners) {
+  json file = square_gltf();
+  const auto turned = [&](const char* above, const char* own) {
+    file["nodes"] = {json::parse(above), json::parse(own)};
+    file["nodes"][0]["children"] = {1};
+    file["nodes"][1]["mesh"] = 0;
+    const Corners corners = read(file).corners;
+    EXPECT_TRUE(corners == (Corners{0, 1, 2, 1, 3, 2}) || corners == (Corners{0, 2, 1, 1, 2, 3}));
+    return corners[1] == 2;
+  };
+  const char* const mirror = R"({"scale": [-1, 1, 1]})";
+  for (const char* const node :
+       {mirror, R"({"scale": [-2, -3, -4]})", R"({"scale": [1e-150, -1e-150, 1e-150]})",
+        R"({"rotation": [0.6, 0, 0, 0.8], "scale": [1, 1, -1], "translation": [1, 2, 3]})",
+        R"({"matrix": [0,1,0,0, 1,0,0,0, 0,0,1,0, 5,5,5,1]})",
+        R"({"matrix": [1e-150,0,0,0, 0,-1e-150,0,0, 0,0,1e-150,0, 0,0,0,1]})"}) {
+    EXPECT_TRUE(turned("{}", node)) << node;
+    EXPECT_TRUE(turned(node, "{}")) << node;
+    EXPECT_FALSE(turned(node, mirror)) << node;
+  }
+  for (const char* const node :
+       {R"({"scale": [-1, -1, 1]})", R"({"scale": [-1, 1, 0]})", R"({"scale": [-1, 1, -0.0]})",
+        R"({"matrix": [-1,0,0,0, 0,-1,0,0, 0,0,1,0, 0,0,0,1]})",
+        R"({"matrix": [0.1,0.2,0.3,0, 0.3,0.6,0.9,0, -1,0,0,0, 0,0,0,1]})"})
+    EXPECT_FALSE(turned("{}", node)) << node;
+  EXPECT_FALSE(
+      turned(R"({"rotation": [0.6, 0, 0, 0.8], "scale": [-1, 1, 0]})", R"({"rotation": [0, 0.6, 0, 0.8]})"));
+  file["nodes"] = json::array({json::parse(mirror)});
+  file["nodes"][0]["mesh"] = 0;
+  json& primitive = file["meshes"][0]["primitives"][0];
+  primitive["mode"] = 5;
+  EXPECT_EQ(read(file).corners, (Corners{0, 2, 1, 1, 2, 1, 2, 3, 1, 1, 3, 2}));
+  primitive["mode"] = 6;
+  primitive.erase("indices");
+  EXPECT_EQ(read(file).corners, (Corners{1, 0, 2, 2, 0, 3}));
+}
+
+TEST(ReadGltf, PositionsThatNoTriangleUsesAreNotRead) {
+  json file = square_gltf();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  file["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
+      add_accessor(file, floats({0, 0, 0, 1, 0, 0, 0, 1, 0, nan, 0, 0}), 5126, 4, "VEC3");
+  file["accessors"][1]["count"] = 3;
+  EXPECT_EQ(read(file).corners, (Corners{0, 1, 2}));
+  file["accessors"][1]["count"] = 6;
+  EXPECT_EQ(reason(file),
+            "meshes[0].primitives[0]: vertex 3 lies at (nan, 0, 0); coordinates must be finite");
+  file["meshes"][0]["primitives"][0]["indices"] =
+      add_accessor(file, little<std::uint16_t>({0, 1, 2, 2, 1, 0}), 5123, 6, "SCALAR");
+  EXPECT_EQ(read(file).corners, (Corners{0, 1, 2, 2, 1, 0}));
 }
 
 TEST(ReadGltf, SceneIsTheNamedOneElseTheFirstElseAllNodes) {

@@ -53,6 +53,30 @@ TEST(GltfSkin, SkinsMoveMeshesByTheirJoints) {
   EXPECT_EQ(read(file).positions, read(square_gltf()).positions);
 }
 
+/// The node of the mesh says nothing here, and joints that differ say nothing about the whole.
+TEST(GltfSkin, JointsThatAllMirrorSwapTwoCorners) {
+  const json file = skinned_gltf();
+  const std::vector<std::uint32_t> kept{0, 1, 2, 1, 3, 2};
+  const std::vector<std::uint32_t> turned{0, 2, 1, 1, 2, 3};
+  const auto corners = [&](const std::vector<std::vector<int>>& scales) {
+    json changed = file;
+    for (std::size_t node = 0; node < scales.size(); ++node) changed["nodes"][node]["scale"] = scales[node];
+    return read(changed).corners;
+  };
+  EXPECT_EQ(corners({{-1, 1, 1}}), kept);
+  EXPECT_EQ(corners({{1, 1, 1}, {-1, 1, 1}}), kept);
+  EXPECT_EQ(corners({{1, 1, 1}, {-1, 1, 1}, {1, -1, 1}}), turned);
+  EXPECT_EQ(corners({{1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}}), kept);
+  EXPECT_EQ(corners({{1, 1, 1}, {0, 1, 1}, {1, -1, 1}}), turned);
+  json bound = file;
+  std::vector<float> inverse(32);
+  for (const unsigned k : {0U, 5U, 10U, 15U, 16U, 21U, 26U, 31U}) inverse[k] = k % 16 == 0 ? -1.0F : 1.0F;
+  bound["skins"][0]["inverseBindMatrices"] = add_accessor(bound, floats(inverse), 5126, 2, "MAT4");
+  EXPECT_EQ(read(bound).corners, turned);
+  bound["nodes"][1]["scale"] = bound["nodes"][2]["scale"] = {-1, 1, 1};
+  EXPECT_EQ(read(bound).corners, kept);
+}
+
 TEST(GltfSkin, FaultsOfSkinsAreRefused) {
   const json file = skinned_gltf();
   const auto with = [&](const std::string& place, const json& value) {

@@ -120,9 +120,11 @@ TEST(ObjReader, BadNumbersAreRefused) {
         fmt::format("line 1: a vertex has {} numbers; allowed are 3, with a weight 4, with a colour 6 or 7",
                     count));
   }
-  EXPECT_EQ(reason("v 1 inf 0\n"), "line 1: a vertex lies at (1, inf, 0); coordinates must be finite");
-  EXPECT_EQ(reason("v nan 0 0\n"), "line 1: a vertex lies at (nan, 0, 0); coordinates must be finite");
-  EXPECT_EQ(reason("v 1 \\\n0 1e400\n"), "line 1: a vertex lies at (1, 0, inf); coordinates must be finite");
+  EXPECT_EQ(reason("v 1 inf 0\nf 1\n"), "line 1: a vertex lies at (1, inf, 0); coordinates must be finite");
+  EXPECT_EQ(reason("v nan 0 0\nf 1 1 1\n"),
+            "line 1: a vertex lies at (nan, 0, 0); coordinates must be finite");
+  EXPECT_EQ(reason("v 1 \\\n0 1e400\nf -1\n"),
+            "line 1: a vertex lies at (1, 0, inf); coordinates must be finite");
 }
 
 TEST(ObjReader, BadCornersAreRefused) {
@@ -194,13 +196,35 @@ TEST_F(ObjWithMaterials, OfTheirOwnNameStandInForAMissingFile) {
   EXPECT_EQ(reds("", {"one"}), (std::vector<float>{-1}));
 }
 
-TEST_F(ObjWithMaterials, AFaultNamesTheMtlFile) {
-  const auto file = folder_.write("a.mtl", "newmtl one\nKd 0.25 x 0\n");
+TEST_F(ObjWithMaterials, ANoteSaysWhatIsLeftOut) {
+  const auto said = [&](const std::string& text) {
+    folder_.write("a.mtl", text);
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(reds("mtllib a.mtl\n", {"one"}).size(), 1U);
+    std::string out = testing::internal::GetCapturedStderr();
+    const std::string folder = folder_.path().string() + "/";
+    for (std::size_t at = 0; (at = out.find(folder)) != std::string::npos;) out.erase(at, folder.size());
+    return out;
+  };
+  EXPECT_EQ(said("newmtl one\nKd 0.25 0.25 0.25\nTr 0\nillum 2.0\n"), "");
+  EXPECT_EQ(said("newmtl one\nKd 0.25 x 0\n"),
+            "hitpipe: mtl file \"a.mtl\": line 2: \"x\" behind Kd is not a number; this value is left out\n");
   EXPECT_EQ(
-      message_of([&] { return reds("mtllib a.mtl\n", {"one"}); }),
-      fmt::format("mtl file \"{}\": line 2: \"x\" behind Kd is not a number; allowed are decimal numbers "
-                  "such as 0.5",
-                  file.string()));
+      said("newmtl one\nKd spectral a.rfl\nNi\nillum 11\n"),
+      "hitpipe: mtl file \"a.mtl\": line 2: \"spectral\" behind Kd is not a number; this value and 2 more "
+      "are left out\n");
+  EXPECT_EQ(said("\xFF\xFEn"),
+            "hitpipe: mtl file \"a.mtl\": is UTF-16 or UTF-32, not text in UTF-8 or ASCII; save it as UTF-8; "
+            "its materials are left out\n");
+  EXPECT_EQ(
+      said("newmtl one\nKd 1 1 1\nTr 1.000\n"),
+      "hitpipe: mesh file \"mesh.obj\": material \"one\" is wholly transparent, as it has Tr 1 and no d; "
+      "write d 1 if it is opaque\n");
+  EXPECT_EQ(
+      said("newmtl one\nTr 0.25\nnewmtl unused\nTr 1\n"),
+      "hitpipe: mesh file \"mesh.obj\": material \"one\" is transparent, as it has Tr 0.25 and no d; write "
+      "d 1 if it is opaque\n");
+  EXPECT_EQ(said("newmtl one\nTr 1\nd 1\n"), "");
 }
 
 }  // namespace

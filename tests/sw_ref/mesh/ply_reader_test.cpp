@@ -123,8 +123,15 @@ TEST(ReadPly, BinaryBodyThatBeginsWithALineEndIsRead) {
   EXPECT_EQ(read_ply(header + binary_body(false, 2, x)).positions[0].x, x);
 }
 
-TEST(ReadPly, EmptyLinesOfATextBodyAreSkipped) {
-  EXPECT_EQ(read_ply(triangle("\n0 0 0\n \t\n1 0 0\n0 1 0\n\n3 0 1 2\n\n\n")).corners, (Corners{0, 1, 2}));
+TEST(ReadPly, LinesOfATextBodyMayEndAnywhere) {
+  for (const char* const body : {"\n0 0 0\n \t\n1 0 0\n0 1 0\n\n3 0 1 2\n\n\n", "0 0 0 1 0 0 0 1 0 3 0 1 2",
+                                 "0\r\n0\r\n0\r\n1 0\n\n0 0\v1\f0 3\r0\r1\r2\r"}) {
+    const FileMesh mesh = read_ply(triangle(body));
+    EXPECT_EQ(mesh.positions, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << body;
+    EXPECT_EQ(mesh.corners, (Corners{0, 1, 2}));
+  }
+  EXPECT_EQ(reason(triangle("0 0\r\n0\r\n\r\n1 0 x")), "line 13: \"x\" is not a number");
+  EXPECT_EQ(reason(triangle("0\r0\n\r0\r1 0 x")), "line 14: \"x\" is not a number");
 }
 
 TEST(ReadPly, FacesWithoutThreeCornersHaveTheirPlace) {
@@ -166,6 +173,18 @@ TEST(ReadPly, CoordinatesThatAreNotFiniteAreRefused) {
       fmt::format("byte {}: vertex 0 lies at (nan, 0, 0); coordinates must be finite", head.size() + 8));
 }
 
+TEST(ReadPly, AVertexThatNoFaceUsesMayBeAnything) {
+  const std::string four = "element vertex 4\n" + vertex + faces;
+  for (const char* const odd : {"nan nan nan", "0 inf 0", "1e99 0 0", "-1 0 0", "0.5 0 0"}) {
+    std::string text = file(four, fmt::format("{}\n{}3 1 2 3\n", odd, rows));
+    EXPECT_EQ(read_ply(text).corners, (Corners{1, 2, 3})) << odd;
+    text.replace(text.find("float x"), 7, "uchar x");
+    EXPECT_EQ(read_ply(text).corners, (Corners{1, 2, 3})) << odd;
+  }
+  EXPECT_EQ(reason(file(four, rows + "0 0 nan\n3 1 2 3\n")),
+            "line 13: vertex 3 lies at (0, 0, nan); coordinates must be finite");
+}
+
 TEST(ReadPly, TextThatIsNotANumberOfItsTypeIsRefused) {
   for (const char* const word : {"q", "0x10", "4,5", "1.5.2", "+-1", "1e", "comment"})
     EXPECT_EQ(reason(triangle(fmt::format("0 0 0\n1 {} 0\n0 1 0\n3 0 1 2\n", word))),
@@ -177,14 +196,13 @@ TEST(ReadPly, TextThatIsNotANumberOfItsTypeIsRefused) {
   EXPECT_EQ(reason(whole_numbers), "line 11: y of vertex 1 is 0.5; allowed are the numbers of type uchar");
 }
 
-TEST(ReadPly, RowsHaveOneNumberForEachProperty) {
-  EXPECT_EQ(
-      reason(triangle("0 0\n0 1 0 0\n0 1 0\n3 0 1 2\n")),
-      "line 10: element vertex 0 has too few numbers for \"z\"; a row has one number for each property");
+TEST(ReadPly, ThereIsOneNumberForEachProperty) {
+  EXPECT_EQ(reason(triangle("0 0\n1 0 0\n0 1 0\n3 0 1 2\n")),
+            "line 13: \"1\" stands behind the last element; the header must announce all numbers");
   EXPECT_EQ(reason(triangle("0 0 0\n0 1 0 7\n0 1 0\n3 0 1 2\n")),
-            "line 11: \"7\" stands behind the row's last number; a row has one number for each property");
+            "line 13: \"3\" stands behind the last element; the header must announce all numbers");
   EXPECT_EQ(reason(whole + "3 2 1 0\n"),
-            "line 14: \"3\" stands behind the last element; the header must announce all rows");
+            "line 14: \"3\" stands behind the last element; the header must announce all numbers");
 }
 
 TEST(ReadPly, BytesBehindTheLastElementAreLineEnds) {

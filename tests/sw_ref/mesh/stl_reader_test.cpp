@@ -1,6 +1,7 @@
 // STL files of each kind, and one message for each way in which one can be bad.
 #include "sw_ref/mesh/stl_reader.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -59,6 +60,32 @@ TEST(ReadStl, TextHasWordsInAnyCaseAndAnyPlace) {
   }
 }
 
+TEST(ReadStl, TextMayStandOnOneLine) {
+  std::string one_line = facet();
+  std::replace(one_line.begin(), one_line.end(), '\n', ' ');
+  for (const std::string& text :
+       {"solid a" + one_line + "endsolid a", "solid" + one_line + "endsolid",
+        "solid a" + one_line + "end solid a\n", "solid a facet b" + one_line + "endsolid a",
+        "solid a facet\nnormal" + one_line.substr(13) + "endsolid a",
+        "solid a\n" + one_line + "endsolid a solid b endsolid b", "\tSOLID a\v" + one_line + "ENDSOLIDa",
+        "solid a\n" + facet() + "endsolid_a\n", "solida\n" + facet() + "end solida\n",
+        "solid a endsolid b\n" + facet() + "endsolid a endsolid b"}) {
+    const FileMesh mesh = read_stl(text);
+    EXPECT_EQ(mesh.positions, triangle) << text;
+  }
+  const FileMesh three =
+      read_stl("solid a b" + one_line + one_line + "endsolid a solid c endsolid solid solid e" + one_line +
+               "endsolid e\nsolid f\nendsolid f");
+  ASSERT_EQ(three.groups.size(), 4U);
+  EXPECT_EQ(three.faces(), 3U);
+  EXPECT_EQ(three.groups[0].name, "a b");
+  EXPECT_EQ(three.groups[1].name, "c");
+  EXPECT_EQ(three.groups[2].first_face, 2U);
+  EXPECT_EQ(three.groups[3].name, "f");
+  EXPECT_EQ(reason("solid a" + one_line + "endsoli"),
+            "line 1: unexpected word \"endsoli\"; allowed is \"facet\" or \"endsolid\"");
+}
+
 TEST(ReadStl, TextNumbersAreDoubles) {
   EXPECT_EQ(read_stl("solid\n" + facet("0.1 1e-400 1e39") + "endsolid\n").positions[1],
             glm::dvec3(0.1, 0, 1e39));
@@ -92,7 +119,8 @@ TEST(ReadStl, BytesBehindTheLastFacetAreSkippedIfTheyHoldNoFacet) {
   EXPECT_EQ(read_stl(binary(1, one) + std::string(49, 'x')).positions, triangle);
   EXPECT_EQ(
       reason(binary(1, one) + std::string(50, 'x')),
-      "the binary STL announces 1 facets, which end at byte 134; 50 bytes stand behind them, allowed are 49");
+      "is neither a text STL (it must begin with \"solid\") nor a binary one whose length fits (it announces "
+      "1 facets, which need 134 bytes and up to 49 more; the file has 184)");
 }
 
 TEST(ReadStl, FilesCutShortAreRefusedAtEveryLength) {
@@ -106,14 +134,18 @@ TEST(ReadStl, FilesCutShortAreRefusedAtEveryLength) {
             "is cut short in line 9; a text STL must end with \"endsolid\"");
   EXPECT_EQ(reason("solid a\nfacet normal 0 0"),
             "is cut short in line 2; a text STL must end with \"endsolid\"");
-  EXPECT_EQ(reason(whole.substr(0, 133)),
-            "is cut short; the binary STL announces 1 facets, which need 134 bytes, the file has 133");
-  EXPECT_EQ(reason(binary(4000000000U, one)),
-            "is cut short; the binary STL announces 4000000000 facets, which need 200000000084 bytes, the "
-            "file has 134");
+  EXPECT_EQ(
+      reason(whole.substr(0, 133)),
+      "is neither a text STL (it must have \"facet\" behind its name) nor a binary one whose length fits (it "
+      "announces 1 facets, which need 134 bytes and up to 49 more; the file has 133)");
+  EXPECT_EQ(
+      reason("; hello\nsolid a\n" + facet() + "endsolid\n"),
+      "is neither a text STL (it must begin with \"solid\") nor a binary one whose length fits (it announces "
+      "538976266 facets, which need 26948813384 bytes and up to 49 more; the file has 126)");
   EXPECT_EQ(
       reason("facet"),
-      "does not begin with \"solid\" as a text STL does; a binary STL has 84 bytes or more, the file has 5");
+      "is neither a text STL (it must begin with \"solid\") nor a binary one whose length fits (it must have "
+      "84 bytes or more; the file has 5)");
 }
 
 TEST(ReadStl, OtherWordsAreRefused) {

@@ -8,7 +8,7 @@ shift
 mkdir -p "$folder"
 cd "$folder"
 {
-  for source in "$root"/host/parallel.cpp "$root"/sw_ref/judge/*.cpp \
+  for source in "$root"/host/{parallel,default_arithmetic,watch}.cpp "$root"/sw_ref/judge/*.cpp \
     "$root"/sw_ref/quantise/{coarse_axes,float_ray,fp_box,fp_slabs_safe_ray,int_box,int_major_ray}.cpp \
     "$root"/sw_ref/quantise/{int_plucker_ray,int_slabs_ray,major_quotient,ray_check}.cpp \
     "$root"/sw_ref/hierarchy/{build,split,small_leaves,wide_nodes}.cpp "$root"/sw_ref/mesh/closed.cpp \

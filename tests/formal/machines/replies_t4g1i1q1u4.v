@@ -1,0 +1,2 @@
+  // Rays may want a count.
+`define COUNTS
