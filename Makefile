@@ -10,7 +10,7 @@ JOBS ?= $(shell nproc)
 # Tests that `make sanitize` runs, as `ctest -R` selects them.
 SANITIZED ?= .
 # What has threads: pieces of work side by side, signals, processes, walks, hierarchies, renders.
-THREADED := ^host/|sw_ref/(trace|hierarchy)/|(render|whitted|int_tracer)_test
+THREADED := ^host/|rays/(trace|tree)/|sw_ref/(trace|hierarchy)/|(render|whitted|int_tracer)_test
 # TEST_PATH=FOLDER: tests find programs in that folder only.
 # Runs tests of CTest. Those of tests/slow_tests.txt are the second part of `make test`.
 RUN_TESTS = $(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -j $(JOBS) -LE long
@@ -66,7 +66,7 @@ test: check
 
 test-long: packages
 	@cmake --preset release
-	@cmake --build --preset release -j $(JOBS) --target sw_ref_tests sim_tests hitpipe emit_formal emit_lemmas
+	@cmake --build --preset release -j $(JOBS) --target rays_tests sw_ref_tests sim_tests hitpipe emit_formal emit_lemmas
 	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -j $(JOBS) -L '^long$$' -V
 
 test-designs: packages
@@ -80,7 +80,7 @@ sanitize: packages
 
 threads: packages
 	@cmake --preset threads >build.log 2>&1 || { cat build.log; exit 1; }
-	@cmake --build --preset threads -j $(JOBS) --target host_tests sw_ref_tests
+	@cmake --build --preset threads -j $(JOBS) --target host_tests rays_tests sw_ref_tests
 	@ctest --preset threads -j $(JOBS) -R '$(THREADED)' -LE long
 
 fuzz: SECONDS ?= 60

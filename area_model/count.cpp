@@ -155,13 +155,13 @@ std::string part_name(const Part& part) {
   return fmt::format("{}_{}", component_name(part.component), part.bits);
 }
 
-int printed_latch_bits(const Graph& graph, const rtl::Register& latch, const rtl::Format& format,
+int printed_latch_bits(const Graph& graph, const rtl::Register& latch, const Format& format,
                        const rtl::ThesisAccounting& printed) {
   const bool product = printed.products_at_n_bits && graph[latch.value].op == Op::mul;
   return product ? std::min(latch.width(), format.as<hls::IntBits>().coord) : latch.width();
 }
 
-int printed_component_bits(const Graph& graph, NodeId node, const rtl::Format& format,
+int printed_component_bits(const Graph& graph, NodeId node, const Format& format,
                            const rtl::ThesisAccounting& printed) {
   if (printed.side_relations_at_t && (is_side_relation(graph, node) || compares_side_relation(graph, node)))
     return format.as<hls::IntBits>().interval;
@@ -217,7 +217,7 @@ std::vector<Count> count_built(const rtl::Pipeline& pipeline, Component latch, G
   return tally.counts();
 }
 
-std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const rtl::Format& format,
+std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const Format& format,
                                  const rtl::ThesisAccounting& printed) {
   const Graph& graph = pipeline.graph;
   Tally tally;

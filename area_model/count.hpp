@@ -75,13 +75,13 @@ enum class Gates { left_out, counted };
 /// it: a chip may have such a table and its register in one cell.
 [[nodiscard]] int packed_bits(const rtl::Graph& graph, const rtl::SharedSchedule& shared,
                               const rtl::Placement& placement);
-[[nodiscard]] std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const rtl::Format& format,
+[[nodiscard]] std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const Format& format,
                                                const rtl::ThesisAccounting& printed);
 
 /// The width at which Table 7.2 prices a latch, or a component.
 [[nodiscard]] int printed_latch_bits(const rtl::Graph& graph, const rtl::Register& latch,
-                                     const rtl::Format& format, const rtl::ThesisAccounting& printed);
-[[nodiscard]] int printed_component_bits(const rtl::Graph& graph, rtl::NodeId node, const rtl::Format& format,
+                                     const Format& format, const rtl::ThesisAccounting& printed);
+[[nodiscard]] int printed_component_bits(const rtl::Graph& graph, rtl::NodeId node, const Format& format,
                                          const rtl::ThesisAccounting& printed);
 
 }  // namespace hitpipe::area

@@ -96,7 +96,7 @@ class PartPrices {
 
 /// Prices the counts of a pipeline; the total is left to the caller.
 Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, const rtl::Design& design,
-             const rtl::Format& format, const rtl::Library& library) {
+             const Format& format, const rtl::Library& library) {
   Price price{.design = design.name,
               .format = format,
               .boxes = design.kind.objects,
@@ -143,7 +143,7 @@ Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, co
 
 }  // namespace
 
-Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl::Format& format,
+Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const Format& format,
             const rtl::Library& library, rtl::FlowControl flow) {
   const Gates gates = library.chip() != nullptr ? Gates::counted : Gates::left_out;
   Price price =
@@ -152,8 +152,8 @@ Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl:
   return price;
 }
 
-Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
-            Account account, rtl::FlowControl flow, int interval) {
+Price price(const rtl::Design& design, const Format& format, const rtl::Library& library, Account account,
+            rtl::FlowControl flow, int interval) {
   if (account == Account::printed && design.printed.rows.empty())
     throw std::runtime_error(
         fmt::format("design {}: not in Table 7.2, so there is no printed account of it, only the built one",

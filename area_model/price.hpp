@@ -38,7 +38,7 @@ struct StagePrice {
 
 struct Price {
   std::string_view design;
-  rtl::Format format;
+  Format format;
   int boxes = 1;                     ///< that one test answers for
   int interval = 1;                  ///< a test begins every so many cycles
   std::vector<Line> lines;           ///< in the order of Table 7.1
@@ -68,20 +68,20 @@ struct Price {
 /// A design at a format: a row of Table 7.2's summary.
 struct Entry {
   std::string_view design;
-  rtl::Format format;
+  Format format;
 };
 
 /// `interval` is 1..64 cycles; rtl::make_pipeline() shares components accordingly. Throws as
 /// rtl::Design::trace, rtl::Library::cell do; of the printed account also std::runtime_error, one line, for a
 /// design that the thesis does not have, for a library that is a chip's, and for an interval of several
 /// cycles.
-[[nodiscard]] Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
+[[nodiscard]] Price price(const rtl::Design& design, const Format& format, const rtl::Library& library,
                           Account account, rtl::FlowControl flow = rtl::FlowControl::stall, int interval = 1);
 
 /// The built account of any pipeline; `design` is the one that it comes from. A multiplier of m x n
 /// bits, m > n, has n/m of the area of one of m x m bits, as it has n/m of its partial products. That area is
 /// estimated.
-[[nodiscard]] Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const Format& format,
                           const rtl::Library& library, rtl::FlowControl flow = rtl::FlowControl::stall);
 
 /// What a machine takes: its registers and what its step computes. The bits of its memories are apart, since

@@ -77,11 +77,11 @@ const rtl::Design& triangle_unit() {
       .conservative = false,
       .default_format = hls::Binary32{},
       .results_at =
-          [](const rtl::Format&) {
+          [](const Format&) {
             return std::vector{hls::Result{"hit", hls::Meaning::hit, 0, 1, false}};
           },
       .ports_at = nullptr,
-      .trace_at = [](const rtl::Format& format) { return trace(format.as<hls::Binary32>()); },
+      .trace_at = [](const Format& format) { return trace(format.as<hls::Binary32>()); },
       .run_at = nullptr};
   return design;
 }

@@ -8,9 +8,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "rays/world/int_box.hpp"
 #include "sw_ref/hierarchy/hierarchical_nodes.hpp"
 #include "sw_ref/hierarchy/int_nodes.hpp"
-#include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/trace/int_plucker.hpp"
 #include "sw_ref/trace/int_slabs.hpp"
 #include "thesis/variants.hpp"

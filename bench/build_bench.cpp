@@ -11,9 +11,10 @@
 #include <benchmark/benchmark.h>
 #include <glm/geometric.hpp>
 
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/tree/bvh.hpp"
 #include "sw_ref/hierarchy/statistics.hpp"
-#include "sw_ref/scene/scene.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace {
 

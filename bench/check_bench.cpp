@@ -14,7 +14,7 @@ namespace sim = hitpipe::sim;
 
 constexpr std::uint64_t tests_per_run = 500'000;
 
-void judge(benchmark::State& state, const char* name, rtl::Format format) {
+void judge(benchmark::State& state, const char* name, hitpipe::Format format) {
   const rtl::Design& design = rtl::find_design(name);
   const auto all = hitpipe::ref::adversary::categories();
   sim::CheckOptions options{.categories = {all.begin(), all.end()}, .tests = tests_per_run};
@@ -28,16 +28,17 @@ void judge(benchmark::State& state, const char* name, rtl::Format format) {
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(tests));
 }
-BENCHMARK_CAPTURE(judge, int_slabs_24_24, "int_slabs", rtl::Format(hls::IntBits{24, 24}))
+BENCHMARK_CAPTURE(judge, int_slabs_24_24, "int_slabs", hitpipe::Format(hls::IntBits{24, 24}))
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, int_slabs_20_24, "int_slabs", rtl::Format(hls::IntBits{20, 24}))
+BENCHMARK_CAPTURE(judge, int_slabs_20_24, "int_slabs", hitpipe::Format(hls::IntBits{20, 24}))
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, int_plucker_24_24, "int_plucker", rtl::Format(hls::IntBits{24, 24}))
+BENCHMARK_CAPTURE(judge, int_plucker_24_24, "int_plucker", hitpipe::Format(hls::IntBits{24, 24}))
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, int_plucker_20_24, "int_plucker", rtl::Format(hls::IntBits{20, 24}))
+BENCHMARK_CAPTURE(judge, int_plucker_20_24, "int_plucker", hitpipe::Format(hls::IntBits{20, 24}))
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, fp_slabs, "fp_slabs", rtl::Format(hls::Binary32{}))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, fp_plucker, "fp_plucker", rtl::Format(hls::Binary32{}))
+BENCHMARK_CAPTURE(judge, fp_slabs, "fp_slabs", hitpipe::Format(hls::Binary32{}))
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, fp_plucker, "fp_plucker", hitpipe::Format(hls::Binary32{}))
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -9,15 +9,16 @@
 
 #include <benchmark/benchmark.h>
 
+#include "rays/image/core_image.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/world/int_scene.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "sim/core/core_trace.hpp"
 #include "sim/core/native_core.hpp"
 #include "sim/core/picture_rays.hpp"
 #include "sim/machine/verilated_machine.hpp"
-#include "sw_ref/core/core_image.hpp"
-#include "sw_ref/scene/scene.hpp"
-#include "sw_ref/world/int_scene.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace {
 

@@ -8,8 +8,8 @@
 
 #include <embree3/rtcore.h>
 
-#include "sw_ref/scene/mesh.hpp"
-#include "sw_ref/scene/ray.hpp"
+#include "rays/mesh/mesh.hpp"
+#include "rays/mesh/ray.hpp"
 
 namespace hitpipe::bench {
 

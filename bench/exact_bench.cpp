@@ -11,9 +11,9 @@
 #include <benchmark/benchmark.h>
 #include <glm/geometric.hpp>
 
-#include "sw_ref/judge/box_referee.hpp"
-#include "sw_ref/judge/triangle_test.hpp"
-#include "sw_ref/quantise/int_box.hpp"
+#include "rays/exact/box_referee.hpp"
+#include "rays/exact/triangle_test.hpp"
+#include "rays/world/int_box.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 
 namespace {

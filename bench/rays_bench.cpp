@@ -19,11 +19,12 @@
 #include <malloc.h>
 
 #include "host/machine.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/trace/tracer.hpp"
+#include "rays/tree/bvh.hpp"
 #include "sw_ref/render/camera.hpp"
 #include "sw_ref/render/cosine_rays.hpp"
-#include "sw_ref/scene/scene.hpp"
-#include "sw_ref/trace/tracer.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #ifdef HITPIPE_EMBREE
 #include "bench/embree_tracer.hpp"
 #endif

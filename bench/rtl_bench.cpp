@@ -8,13 +8,14 @@
 
 #include <benchmark/benchmark.h>
 
+#include "rays/exact/box_referee.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "sim/cosim/cosim.hpp"
 #include "sim/cosim/sampled_time.hpp"
 #include "sim/cosim/walk.hpp"
 #include "sim/unit/verilated_design.hpp"
-#include "sw_ref/judge/box_referee.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace {
 
@@ -25,7 +26,7 @@ using namespace hitpipe;
 void generate(benchmark::State& state, const std::string& name) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Library& library = rtl::Library::thesis();
-  const rtl::Format format = design.default_format;
+  const hitpipe::Format format = design.default_format;
   for (auto _ : state) {
     auto files = rtl::files_and_drawings(rtl::emit(rtl::make_unit(design, format, library)));
     benchmark::DoNotOptimize(files);
@@ -35,7 +36,8 @@ void generate(benchmark::State& state, const std::string& name) {
 /// Nanoseconds a test of the loop's parts: how primary rays walk with the answers of the C++ datapath.
 class Parts {
  public:
-  Parts(const rtl::Design& design, const rtl::Format& format, const ref::Scene& scene, const ref::Bvh& bvh)
+  Parts(const rtl::Design& design, const hitpipe::Format& format, const ref::Scene& scene,
+        const ref::Bvh& bvh)
       : feed_(sim::make_feed(design, format, bvh)),
         rays_(feed_->unit(1)),
         operands_(design.ports(format).size()) {
@@ -86,7 +88,7 @@ class Parts {
 /// compared bit by bit, of what the referee adds, and of the loop's parts.
 void cosimulate_spheres(benchmark::State& state, const std::string& name) {
   const rtl::Design& design = rtl::find_design(name);
-  const rtl::Format format = design.default_format;
+  const hitpipe::Format format = design.default_format;
   const ref::Scene scene = ref::load_scene("spheres");
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const sim::VerilatedDesign verilated(rtl::make_unit(design, format, rtl::Library::thesis()));

@@ -17,6 +17,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
+#include "cli/options/talk_options.hpp"
 #include "cli/text/help.hpp"
 #include "cli/text/tools_text.hpp"
 #include "cli/version.hpp"

@@ -1,6 +1,11 @@
 # Warnings and sanitizers that every target of the project shares.
 add_library(hitpipe_compile INTERFACE)
 target_compile_options(hitpipe_compile INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+# Each object serves the program and hitpipe::ref, which exports what its headers declare and holds what they reach.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+target_compile_options(hitpipe_compile INTERFACE -ffunction-sections -fdata-sections)
 # No path of the machine that built it is in a program: names of sources begin at the root of the tree.
 target_compile_options(hitpipe_compile INTERFACE
   -ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -ffile-prefix-map=${PROJECT_BINARY_DIR}/=)
@@ -34,7 +39,7 @@ if(NOT HITPIPE_TOOLS)
 endif()
 find_package(fmt REQUIRED)
 add_library(hitpipe_headers OBJECT ${CMAKE_CURRENT_LIST_DIR}/headers.cpp)
-target_link_libraries(hitpipe_headers PRIVATE hitpipe_compile fmt::fmt)
+target_link_libraries(hitpipe_headers PRIVATE hitpipe_compile fmt::fmt-header-only)
 target_precompile_headers(hitpipe_headers PRIVATE
   <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <limits> <map>
   <memory> <optional> <span> <stdexcept> <string> <utility> <vector>)

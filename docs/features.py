@@ -25,8 +25,8 @@ def without_number(option):
 
 put('core.md', 'failures', ['what goes wrong', 'what you see'],
     [(each['what'], each['shows']) for feature in features for each in feature.get('failures', [])])
-# No feature of their own.
-widths = [('fewer bits', 'the six machines that know them', 'the core with them'),
-          ('`--data-bits 64`, `512`, `--in-order`', '`beats`, of 64 and 512 bits; `core_axi` of 64 bits', 'the core with 512')]
-put('formal.md', 'features', ['option', 'proved', 'only tested'],
-    [(f'`{without_number(each["option"])}`', each['proved'], each['tested']) for each in features if each['proved']] + widths)
+# What all cores have stands above the table.
+put('formal.md', 'features', ['option', 'promise', 'shown by'],
+    [(f'`{without_number(feature["option"])}`', each['what'],
+      f'the proof of `{each["machine"]}` {each["bits"]}' if 'bits' in each else f'a test: `{each["test"]}`')
+     for feature in features if feature['option'] for each in feature['promises']])

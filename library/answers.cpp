@@ -7,7 +7,7 @@
 #include "library/failure.hpp"
 #include "library/shapes.hpp"
 #include "library/unit.hpp"
-#include "sw_ref/judge/box_referee.hpp"
+#include "rays/exact/box_referee.hpp"
 
 namespace hitpipe::library {
 

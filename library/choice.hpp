@@ -10,7 +10,7 @@ namespace hitpipe::library {
 
 struct Choice {
   const rtl::Design* design;
-  rtl::Format format;
+  Format format;
 };
 
 /// Without a format the default one. Throws a Refusal if there is no such design or format.

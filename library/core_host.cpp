@@ -6,8 +6,8 @@
 #include "library/failure.hpp"
 #include "library/scene.hpp"
 #include "library/shapes.hpp"
-#include "sw_ref/core/core_image.hpp"
-#include "sw_ref/world/int_ray.hpp"
+#include "rays/image/core_image.hpp"
+#include "rays/world/int_ray.hpp"
 
 namespace hitpipe::library {
 

@@ -1,6 +1,4 @@
 // From a scene's own units into the cube.
-#include "library/cube.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +6,9 @@
 
 #include "library/failure.hpp"
 #include "library/shapes.hpp"
-#include "sw_ref/quantise/to_cube.hpp"
-#include "sw_ref/scene/normalise.hpp"
+#include "library/transform.hpp"
+#include "rays/scene/normalise.hpp"
+#include "rays/world/to_cube.hpp"
 
 namespace hitpipe::library {
 
@@ -38,19 +37,6 @@ ref::BasicAabb<double> checked_bounds(const hitpipe_bounds& bounds, const char* 
 }
 
 }  // namespace
-
-ref::Normalisation checked_transform(const hitpipe_transform* transform) {
-  if (transform == nullptr) return {};
-  const ref::Normalisation own{vector(transform->offset), transform->scale};
-  const bool finite =
-      std::isfinite(own.offset.x) && std::isfinite(own.offset.y) && std::isfinite(own.offset.z);
-  if (!finite || !std::isfinite(own.scale) || own.scale <= 0)
-    throw Refusal(
-        HITPIPE_BAD_ARGUMENT,
-        fmt::format("transform: offset ({}, {}, {}), scale {}; they must be finite, and the scale > 0",
-                    own.offset.x, own.offset.y, own.offset.z, own.scale));
-  return own;
-}
 
 }  // namespace hitpipe::library
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "hitpipe/scene.h"
-#include "sw_ref/scene/mesh.hpp"
-#include "sw_ref/scene/normalise.hpp"
+#include "rays/mesh/mesh.hpp"
+#include "rays/scene/normalise.hpp"
 
 namespace hitpipe::library {
 

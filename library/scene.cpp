@@ -11,16 +11,16 @@
 
 #include <fmt/format.h>
 
+#include "host/format.hpp"
 #include "host/parallel.hpp"
 #include "host/text.hpp"
-#include "library/cube.hpp"
 #include "library/failure.hpp"
 #include "library/mesh.hpp"
-#include "rtl_gen/catalogue/format.hpp"
-#include "sw_ref/hierarchy/refit.hpp"
-#include "sw_ref/judge/triangle_test.hpp"
-#include "sw_ref/quantise/to_cube.hpp"
-#include "sw_ref/scene/triangle_numbers.hpp"
+#include "library/transform.hpp"
+#include "rays/exact/triangle_test.hpp"
+#include "rays/scene/triangle_numbers.hpp"
+#include "rays/tree/refit.hpp"
+#include "rays/world/to_cube.hpp"
 
 namespace hitpipe::library {
 
@@ -54,9 +54,9 @@ ref::Bvh built(const hitpipe_scene& scene, const Placed& placed, int threads) {
 
 std::optional<hls::WorldBits> chosen_world(const char* world) {
   if (world == nullptr || world == float_world) return std::nullopt;
-  const auto& family = rtl::family_of<hls::WorldBits>;
+  const auto& family = family_of<hls::WorldBits>;
   if (const auto numbers = family.parse(world); numbers && family.valid(*numbers)) {
-    const auto bits = rtl::Format(family, *numbers).as<hls::WorldBits>();
+    const auto bits = Format(family, *numbers).as<hls::WorldBits>();
     // What a triangle unit says more than HIT.
     if (bits.weights == 0 && bits.crossings == 0) return bits;
   }
@@ -133,15 +133,13 @@ ref::Ray in_world(const hitpipe_scene& scene, const hitpipe_ray& ray) {
 }
 
 bool takes_ray(const hitpipe_scene& scene, const hitpipe_ray& ray) {
-  bool good = ray.length >= 0.0F;
+  bool good = ray.length >= 0.0F && scene.origins.hold({ray.origin[0], ray.origin[1], ray.origin[2]});
   bool moves = false;
-  for (int axis = 0; axis < 3; ++axis) {
-    good = good && std::abs(ray.origin[axis]) <= most_coordinate && std::isfinite(ray.direction[axis]);
-    moves = moves || ray.direction[axis] != 0.0F;
+  for (const float component : ray.direction) {
+    good = good && std::isfinite(component);
+    moves = moves || component != 0.0F;
   }
-  if (!good || !moves || !scene.bits) return good && moves;
-  const glm::vec3 origin = in_world(scene, ray).origin;
-  return std::abs(origin.x) <= 1.0F && std::abs(origin.y) <= 1.0F && std::abs(origin.z) <= 1.0F;
+  return good && moves;
 }
 
 int checked_threads(int threads) {
@@ -169,14 +167,16 @@ hitpipe_status hitpipe_scene_open(const hitpipe_mesh* mesh, const hitpipe_scene_
     const hitpipe_scene_options chosen = options == nullptr ? hitpipe_scene_options{} : *options;
     auto scene = std::make_unique<hitpipe_scene>();
     scene->bits = chosen_world(chosen.world);
-    scene->world = scene->bits ? hitpipe::rtl::to_string(hitpipe::rtl::Format(*scene->bits)) : float_world;
+    scene->world = scene->bits ? hitpipe::to_string(hitpipe::Format(*scene->bits)) : float_world;
     if (!scene->bits && chosen.transform != nullptr)
       throw Refusal(HITPIPE_BAD_ARGUMENT,
                     "transform: the float world has none; rays and corners are in your units");
     CheckedMesh own = checked_mesh(given(mesh, "mesh"));
     const int threads = checked_threads(chosen.threads);
+    scene->origins = {glm::vec3(-most_coordinate), glm::vec3(most_coordinate)};
     if (scene->bits) {
       scene->transform = chosen.transform == nullptr ? fitted(own.mesh) : checked_transform(chosen.transform);
+      scene->origins = hitpipe::ref::origins_in_cube(scene->transform, most_coordinate);
       move_into_cube(own, scene->transform);
     }
     hitpipe::host::with_threads(threads, [&] {

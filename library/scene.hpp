@@ -10,13 +10,14 @@
 
 #include "hitpipe/scene.h"
 #include "hls/world/world_format.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/mesh/closed.hpp"
-#include "sw_ref/scene/mesh.hpp"
-#include "sw_ref/scene/normalise.hpp"
-#include "sw_ref/scene/ray.hpp"
-#include "sw_ref/trace/ray_queries.hpp"
-#include "sw_ref/world/int_mesh.hpp"
+#include "rays/mesh/mesh.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/scene/normalise.hpp"
+#include "rays/trace/ray_queries.hpp"
+#include "rays/tree/bvh.hpp"
+#include "rays/tree/closed.hpp"
+#include "rays/world/int_mesh.hpp"
+#include "rays/world/to_cube.hpp"
 
 namespace hitpipe::library {
 
@@ -42,6 +43,7 @@ struct hitpipe_scene {
   std::string world;
   std::optional<hitpipe::hls::WorldBits> bits;  ///< nothing: the float world
   hitpipe::ref::Normalisation transform;        ///< of the float world it moves nothing
+  hitpipe::ref::Origins origins;                ///< of rays, in the caller's units
   hitpipe::ref::Bvh tree;                       ///< over all triangles; its boxes are of the first corners
 
   /// Where it is now. Whoever holds that keeps it, though the scene moves: nobody waits for anybody.

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "library/failure.hpp"
-#include "sw_ref/judge/box_referee.hpp"
-#include "sw_ref/quantise/ray_check.hpp"
+#include "rays/exact/box_referee.hpp"
+#include "rays/world/ray_check.hpp"
 
 namespace hitpipe::library {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "hitpipe/ref.h"
-#include "sw_ref/scene/aabb.hpp"
-#include "sw_ref/scene/ray.hpp"
+#include "rays/mesh/aabb.hpp"
+#include "rays/mesh/ray.hpp"
 
 namespace hitpipe::library {
 

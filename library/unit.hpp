@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "hitpipe/ref.h"
+#include "rays/mesh/ray.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "sim/check/box_test.hpp"
-#include "sw_ref/scene/ray.hpp"
+#include "sim/software/box_test.hpp"
 
 struct hitpipe_unit {
   /// Throws what make_box_test() throws of a design that tests boxes.
-  hitpipe_unit(const hitpipe::rtl::Design& its_design, const hitpipe::rtl::Format& its_format)
+  hitpipe_unit(const hitpipe::rtl::Design& its_design, const hitpipe::Format& its_format)
       : design(&its_design),
         name(its_design.name),
         format(to_string(its_format)),

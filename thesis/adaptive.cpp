@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "area_model/price.hpp"
+#include "rays/trace/walk.hpp"
 #include "sw_ref/render/recording.hpp"
 #include "sw_ref/trace/int_slabs.hpp"
-#include "sw_ref/trace/walk.hpp"
 #include "thesis/adaptive_slabs.hpp"
 #include "thesis/proposals.hpp"
 
@@ -101,7 +101,7 @@ Asked measure(const ref::Scene& scene, const ExperimentOptions& options) {
 /// Area times stage delay of the thesis's integer slabs.
 double cost(hls::IntBits bits) {
   static const rtl::Design& slabs = rtl::find_design(area::table_7_2()[2].design);
-  const rtl::Format format = slabs.parse_format(fmt::format("{}/{}", bits.coord, bits.interval));
+  const Format format = slabs.parse_format(fmt::format("{}/{}", bits.coord, bits.interval));
   return static_cast<double>(
       area::price(slabs, format, rtl::Library::thesis(), area::Account::built).area_delay_per_box());
 }

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "sw_ref/quantise/int_box.hpp"
+#include "rays/world/int_box.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "thesis/reference.hpp"
 

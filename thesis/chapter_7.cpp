@@ -129,9 +129,8 @@ ResultTable unit_prices(std::string_view number, const ExperimentOptions& option
     const area::Price as_printed =
         area::price(design, entry.format, rtl::Library::thesis(), area::Account::printed);
     built.push_back(area::price(design, entry.format, rtl::Library::thesis(), area::Account::built));
-    ResultRow row{.labels = {fmt::format("{} {}", entry.design, rtl::to_string(entry.format))},
-                  .ours = {},
-                  .printed = {}};
+    ResultRow row{
+        .labels = {fmt::format("{} {}", entry.design, to_string(entry.format))}, .ours = {}, .printed = {}};
     for (const Figure& figure : figures) {
       row.ours.emplace_back(figure.of(as_printed));
       row.printed.push_back(printed.rows()[i].number(figure.name));

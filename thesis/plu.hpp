@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/scene/aabb.hpp"
+#include "rays/mesh/aabb.hpp"
 #include "thesis/plane_distance.hpp"
 #include "thesis/ray_class.hpp"
 #include "thesis/reference.hpp"

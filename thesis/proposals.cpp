@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sw_ref/scene/built_in.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace hitpipe::thesis {
 

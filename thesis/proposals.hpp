@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
 #include "thesis/experiment.hpp"
 #include "thesis/reference.hpp"
 

@@ -10,8 +10,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "sw_ref/scene/aabb.hpp"
-#include "sw_ref/scene/ray.hpp"
+#include "rays/mesh/aabb.hpp"
+#include "rays/mesh/ray.hpp"
 #include "thesis/reference.hpp"
 
 namespace hitpipe::thesis {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "sw_ref/scene/aabb.hpp"
+#include "rays/mesh/aabb.hpp"
 #include "thesis/plane_distance.hpp"
 #include "thesis/ray_class.hpp"
 #include "thesis/reference.hpp"

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "rays/trace/child_order.hpp"
 #include "sw_ref/render/recording.hpp"
-#include "sw_ref/trace/child_order.hpp"
 #include "thesis/printed.hpp"
 #include "thesis/tables.hpp"
 #include "thesis/test_scene.hpp"

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "sw_ref/scene/built_in.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #include "thesis/printed.hpp"
 
 namespace hitpipe::thesis {

@@ -1,6 +1,6 @@
 // The ray-box tests of chapter 3 as a list: Tables 3.1 and 3.2 in their order, then Woo's test. T is
 // float or double. They are for infinite rays of the [-1, 1] cube whose direction has about unit length. They
-// round; the exact referee is in sw_ref/judge.
+// round; the exact referee is in rays/exact.
 #pragma once
 
 #include <cstdint>

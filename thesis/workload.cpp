@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "rays/exact/box_referee.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::thesis {
 namespace {

@@ -37,7 +37,7 @@ struct AreaOptions {
 
 struct ChosenUnit {
   const rtl::Design* design;
-  rtl::Format format;
+  Format format;
 };
 
 /// The units of Table 7.2, unless the user names units.
@@ -47,7 +47,7 @@ std::vector<ChosenUnit> chosen(const AreaOptions& options) {
     const auto any = [](const rtl::Design&) { return std::string(); };
     const auto own = [](const rtl::Design& design) { return std::vector{design.default_format}; };
     for (const sim::DesignFormats& each : options.units.formats(options.units.designs(any), own))
-      for (const rtl::Format& format : each.formats) units.push_back({each.design, format});
+      for (const Format& format : each.formats) units.push_back({each.design, format});
   } else if (!options.triangle) {
     for (const area::Entry& entry : area::table_7_2())
       units.push_back({&rtl::find_design(entry.design), entry.format});
@@ -68,8 +68,8 @@ std::string other_plans(const std::vector<ChosenUnit>& units, const std::vector<
     const rtl::ChipCells other =
         area::price(*design, format, free_blocks, options.account, options.flow_control).taken;
     if (other.blocks == prices[i].price.taken.blocks) continue;
-    text += fmt::format("{} {} with --block-luts 0: {} {}, {} LUT, {} FF\n", design->name,
-                        rtl::to_string(format), other.blocks, block.name, other.luts, other.registers);
+    text += fmt::format("{} {} with --block-luts 0: {} {}, {} LUT, {} FF\n", design->name, to_string(format),
+                        other.blocks, block.name, other.luts, other.registers);
   }
   if (!text.empty())
     text = fmt::format("A product's odd bits take a block where logic would take more than {} LUT.\n{}",
@@ -93,7 +93,7 @@ std::vector<const rtl::Machine*> machines_in(const AreaOptions& options) {
 
 void print_prices(const AreaOptions& options) {
   const rtl::Library library = rtl::library_called(options.library, options.block_luts);
-  const auto priced = [&](const rtl::Design& design, const rtl::Format& format, int interval) {
+  const auto priced = [&](const rtl::Design& design, const Format& format, int interval) {
     return area::price(design, format, library, options.account, options.flow_control, interval);
   };
   AreaTable table{.units = {}, .library = &library, .rates = !options.intervals.empty()};

@@ -10,8 +10,8 @@
 
 #include "cli/text/implementation_text.hpp"
 #include "cli/text/progress.hpp"
+#include "host/format.hpp"
 #include "host/talk.hpp"
-#include "rtl_gen/catalogue/format.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/implement/board_implementation.hpp"
 
@@ -62,7 +62,7 @@ int implement_on_board(const DesignChoice& choice, const BoardChoice& board_choi
   const rtl::Board board = board_choice.board();
   const DesignChoice unit = board_choice.unit(choice);
   const rtl::Design& design = unit.design();
-  const std::string bits = rtl::to_string(unit.format());
+  const std::string bits = to_string(unit.format());
   const int baud = board_choice.baud.value_or(board.baud);
   std::optional<Progress> progress;
   sim::ImplementOptions options = given;
@@ -84,7 +84,7 @@ rtl::CoreOptions core_on_board(const rtl::Board& board, const std::optional<std:
   if (!board.core)
     throw std::runtime_error(fmt::format("board {}: has no memory for the image of a core", board.name));
   rtl::CoreOptions core = *board.core;
-  if (bits) core.bits = rtl::parse_bits<hls::RayBits>(*bits);
+  if (bits) core.bits = parse_bits<hls::RayBits>(*bits);
   return core;
 }
 
@@ -99,7 +99,7 @@ int implement_core_on_board(const std::optional<std::string>& bits, const BoardC
   options.progress = [&](const std::string& step) { progress.emplace(step); };
   const sim::BoardImplementation made = sim::implement_core_board(core, board, baud, options);
   progress.reset();
-  const std::string text = rtl::to_string(rtl::Format(core.bits));
+  const std::string text = to_string(Format(core.bits));
   return report({made, board, baud, fmt::format("core {}", text)},
                 {{"core", made.chip.module},
                  {"bits", text},

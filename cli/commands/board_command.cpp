@@ -25,7 +25,7 @@
 #include "sim/board/board_tests.hpp"
 #include "sim/board/simulated_board.hpp"
 #include "sim/implement/target.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::cli {
 
@@ -64,7 +64,7 @@ std::string hex_of(const std::vector<rtl::Port>& ports, const std::vector<std::i
   return text;
 }
 
-void print_wrong(const rtl::Design& design, const rtl::Format& format, const sim::WrongAnswer& wrong) {
+void print_wrong(const rtl::Design& design, const Format& format, const sim::WrongAnswer& wrong) {
   const std::vector<rtl::Port> results = rtl::result_ports(design.results(format));
   fmt::print(stderr, "hitpipe: test {}: the board says {}, the C++ {}, for {}; `--only {}` sends it alone\n",
              wrong.number, hex_of(results, wrong.results), hex_of(results, wrong.test.results),
@@ -74,7 +74,7 @@ void print_wrong(const rtl::Design& design, const rtl::Format& format, const sim
 int stream(const BoardCommand& command) {
   const DesignChoice unit = command.board.unit(command.choice);
   const rtl::Design& design = unit.design();
-  const rtl::Format format = unit.format();
+  const Format format = unit.format();
   const bool of_scene = !command.scene.name.empty();
   if (of_scene) {
     if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
@@ -119,7 +119,7 @@ int stream(const BoardCommand& command) {
   progress.reset();
 
   Row row{{"design", design.name},
-          {"bits", rtl::to_string(format)},
+          {"bits", to_string(format)},
           {"port", command.port},
           {"baud", baud},
           {"tests_from", of_scene ? command.scene.name : "vectors"}};
@@ -142,7 +142,7 @@ int stream(const BoardCommand& command) {
 int be_the_board(const BoardCommand& command) {
   const DesignChoice unit = command.board.unit(command.choice);
   const rtl::Design& design = unit.design();
-  const rtl::Format format = unit.format();
+  const Format format = unit.format();
   // As `hitpipe implement` puts it on the board.
   const rtl::Library library = rtl::library_called(sim::target_called(command.board.board().target).library);
   const std::string module = design.module_at(format);
@@ -154,11 +154,10 @@ int be_the_board(const BoardCommand& command) {
   sim::SimulatedBoard board(
       {.module = rtl::board_module(module),
        .verilog =
-           rtl::to_verilog(pipeline, library, {.module_name = module, .bits = rtl::to_string(format)}) +
-           top});
+           rtl::to_verilog(pipeline, library, {.module_name = module, .bits = to_string(format)}) + top});
   progress.reset();
   fmt::print("{}", record_text({{"design", design.name},
-                                {"bits", rtl::to_string(format)},
+                                {"bits", to_string(format)},
                                 {"port", board.port()},
                                 {"test_with", fmt::format("hitpipe board {}{} --port {}", design.name,
                                                           design.bits_option(format), board.port())}},

@@ -10,7 +10,7 @@
 #include "cli/text/progress.hpp"
 #include "sim/check/check.hpp"
 #include "sim/check/shares.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::cli {
 
@@ -33,10 +33,10 @@ std::vector<ref::adversary::Category> box_categories(const rtl::Design& design,
   return chosen_of(all, names);
 }
 
-CheckFindings check_box_unit(const rtl::Design& design, const rtl::Format& format, const BoxCheck& check) {
+CheckFindings check_box_unit(const rtl::Design& design, const Format& format, const BoxCheck& check) {
   std::optional<Progress> progress;
   std::optional<sim::VerilatedDesign> verilated;
-  const std::string unit = fmt::format("{} {}: ", design.name, rtl::to_string(format));
+  const std::string unit = fmt::format("{} {}: ", design.name, to_string(format));
   if (check.rtl) {
     progress.emplace(unit + "compiling the Verilog");
     verilated.emplace(rtl::make_unit(design, format, rtl::Library::thesis(), {.interval = check.interval}));
@@ -75,7 +75,7 @@ std::vector<sim::DesignFormats> compared_units(const DesignsChoice& choice) {
 UnitsFindings check_box_units(const std::vector<sim::DesignFormats>& units, const BoxCheck& check) {
   UnitsFindings found;
   for (const sim::DesignFormats& each : units)
-    for (const rtl::Format& format : each.formats)
+    for (const Format& format : each.formats)
       found.units.push_back(check_box_unit(*each.design, format, check));
   return found;
 }

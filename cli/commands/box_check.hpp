@@ -27,7 +27,7 @@ struct BoxCheck {
 [[nodiscard]] std::vector<ref::adversary::Category> box_categories(const rtl::Design& design,
                                                                    const std::vector<std::string>& names);
 
-[[nodiscard]] CheckFindings check_box_unit(const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] CheckFindings check_box_unit(const rtl::Design& design, const Format& format,
                                            const BoxCheck& check);
 
 /// Those of the names in their formats; without names, all that never miss. Throws std::runtime_error for

@@ -27,10 +27,11 @@
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
 #include "host/text.hpp"
-#include "sim/software.hpp"
-#include "sw_ref/hierarchy/bvh_file.hpp"
+#include "rays/scene/normalise.hpp"
+#include "rays/tree/bvh_file.hpp"
+#include "sim/software/software.hpp"
 #include "sw_ref/hierarchy/statistics.hpp"
-#include "sw_ref/scene/normalise.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace hitpipe::cli {
 
@@ -156,7 +157,7 @@ bool is_binary(const std::string& file) {
 
 Row write_records(const BvhCommand& command, const ref::Bvh& bvh) {
   const DesignChoice unit = unit_of_records(command);
-  const std::string name = fmt::format("{} {}", unit.name, rtl::to_string(unit.format()));
+  const std::string name = fmt::format("{} {}", unit.name, to_string(unit.format()));
   const sim::NodeRecords records = sim::software_of(unit.design()).records(unit.format(), bvh);
   const std::size_t count = records.bytes.size() / records.bytes_per_record;
   const std::string text =

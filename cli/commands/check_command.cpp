@@ -23,8 +23,8 @@
 #include "cli/text/table.hpp"
 #include "hls/num/bits.hpp"
 #include "host/text.hpp"
-#include "sim/check/box_test.hpp"
 #include "sim/check/shares.hpp"
+#include "sim/software/box_test.hpp"
 #include "sim/unit/drive.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 
@@ -142,15 +142,14 @@ int join(const CheckCommand& command, const CLI::App& parsed) {
 
 int replay(const CheckCommand& command) {
   const rtl::Design& design = command.choice.design();
-  const rtl::Format format = command.choice.format();
+  const Format format = command.choice.format();
   const Case c = ref::adversary::parse_case(*command.replay);
   const auto test = sim::make_box_test(design, format);
   test->start(c.ray);
   const bool hit = test->hit(c.box);
   const bool meets = test->meets(c.ray, c.box);
   const auto word = [](bool is_hit) { return is_hit ? "HIT" : "MISS"; };
-  Row row{
-      {"design", design.name}, {"bits", rtl::to_string(format)}, {"exact", word(meets)}, {"unit", word(hit)}};
+  Row row{{"design", design.name}, {"bits", to_string(format)}, {"exact", word(meets)}, {"unit", word(hit)}};
   bool rtl_differs = false;
   if (command.rtl) {
     const sim::VerilatedDesign verilated(

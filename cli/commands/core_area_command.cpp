@@ -32,8 +32,8 @@ void print_price(const CoreAreaCommand& command) {
   const rtl::Core core = rtl::make_core(command.core.core(), library);
   const area::CorePrice price = area::price(core, library);
   std::vector<Row> rows;
-  const auto add = [&](std::string_view part, const rtl::Format& bits, const area::CorePartPrice& of) {
-    Row row{{"part", part}, {"bits", rtl::to_string(bits)}, {"memory_bits", of.memory_bits}};
+  const auto add = [&](std::string_view part, const Format& bits, const area::CorePartPrice& of) {
+    Row row{{"part", part}, {"bits", to_string(bits)}, {"memory_bits", of.memory_bits}};
     if (library.chip() == nullptr) {
       const std::string digits = area::area_mm2(of.area_um2);
       row["area_mm2"] = command.format == OutputFormat::json ? Row::parse(digits) : Row(digits);
@@ -60,7 +60,7 @@ void print_price(const CoreAreaCommand& command) {
 CLI::App* add_core_area_command(CLI::App& core, int& /*exit_code*/) {
   CLI::App* const command = core.add_subcommand("area", "Price a core and each of its parts");
   const auto options = std::make_shared<CoreAreaCommand>();
-  add_core_bits_option(*command, options->core.bits, rtl::to_string(rtl::Format(options->core.options.bits)));
+  add_core_bits_option(*command, options->core.bits, to_string(Format(options->core.options.bits)));
   using Group = rtl::CoreOption::Group;
   add_core_options(*command, options->core, {Group::rays, Group::core, Group::cache, Group::limits});
   add_library_option(*command, options->library);

@@ -19,10 +19,10 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "host/format.hpp"
 #include "host/serial_port.hpp"
 #include "rtl_gen/board/core_top.hpp"
 #include "rtl_gen/board/top.hpp"
-#include "rtl_gen/catalogue/format.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "sim/board/core_link.hpp"
 #include "sim/board/simulated_board.hpp"
@@ -50,7 +50,7 @@ rtl::Library library_of(const rtl::Board& board) {
 }
 
 std::string text_of(const rtl::Core& core) {
-  return rtl::to_string(rtl::Format(core.options.bits));
+  return to_string(Format(core.options.bits));
 }
 
 /// Writes the scene's image to the board, sends the rays of its picture, and compares each answer with

@@ -113,9 +113,9 @@ class Fitting {
       options.fixed.world = true;
       options.fixed.boxes = whole;
       if (whole) {
-        options.core.bits = rtl::parse_bits<hls::RayBits>(*command_.bits);
+        options.core.bits = parse_bits<hls::RayBits>(*command_.bits);
       } else {
-        const auto world = rtl::parse_bits<hls::WorldBits>(*command_.bits);
+        const auto world = parse_bits<hls::WorldBits>(*command_.bits);
         options.core.bits = {world.coord, world.finer, options.core.bits.mantissa,
                              0,           world.slope, world.fraction};
       }
@@ -211,7 +211,7 @@ class Fitting {
     usual.update(core_row(fit_->before, fit_->price_before.all, fit_->rate_before, library_));
     std::vector<Row> tried, cuts, traced;
     for (const sim::TriedWorld& each : fit_->tried) {
-      Row& row = tried.emplace_back(Row{{"bits", rtl::to_string(rtl::Format(each.bits))}});
+      Row& row = tried.emplace_back(Row{{"bits", to_string(Format(each.bits))}});
       add_other_triangles(row, each.worst());
       row["taken"] = each.taken ? "yes" : "";
     }

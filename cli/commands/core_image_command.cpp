@@ -22,11 +22,12 @@
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "host/format.hpp"
 #include "host/outputs.hpp"
-#include "rtl_gen/catalogue/format.hpp"
-#include "sw_ref/core/core_image.hpp"
+#include "rays/image/core_image.hpp"
 #include "sw_ref/core/core_tracer.hpp"
 #include "sw_ref/memory/read_bytes.hpp"
+#include "sw_ref/render/int_surfaces.hpp"
 #include "sw_ref/render/recording.hpp"
 #include "sw_ref/render/render.hpp"
 
@@ -37,7 +38,7 @@ namespace {
 struct ImageCommand {
   SceneChoice scene;
   ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
-  std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
+  std::string bits = to_string(Format(hls::WorldBits{}));
   std::string out;
   std::string check;  ///< a file to read in place of writing one
   std::optional<int> block_bits;
@@ -134,7 +135,7 @@ std::vector<Row> reads_of(const ImageCommand& command, const ref::IntScene& scen
 }
 
 void write_image(ImageCommand command, const CLI::App& parsed) {
-  const auto bits = rtl::parse_bits<hls::WorldBits>(command.bits);
+  const auto bits = parse_bits<hls::WorldBits>(command.bits);
   if (!command.out.empty())
     for (const char* const ending : {"", ".json"}) host::announce_output("--out", command.out + ending);
   command.hierarchy.build.threads = command.scene.threads;
@@ -143,7 +144,7 @@ void write_image(ImageCommand command, const CLI::App& parsed) {
   progress.emplace("writing the image");
   const ref::CoreImage image = ref::core_image(scene);
   Row row{{"scene", scene.scene.name},
-          {"bits", rtl::to_string(rtl::Format(bits))},
+          {"bits", to_string(Format(bits))},
           {"hierarchy", command.hierarchy.name()}};
   row.update(scene_row(scene));
   row.update(figures_of(image));

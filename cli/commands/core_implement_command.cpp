@@ -45,7 +45,7 @@ int map_core(const CoreImplementCommand& command) {
   const sim::CoreImplementation made = sim::implement_core(core_options, target, options);
   progress.reset();
 
-  const std::string bits = rtl::to_string(rtl::Format(core_options.bits));
+  const std::string bits = to_string(Format(core_options.bits));
   Row both{{"core", made.core.chip.module}, {"bits", bits},        {"rays", core_options.rays},
            {"target", target.name},         {"chip", target.chip}, {"library", made.core.chip.library},
            {"clock_ps", made.clock_ps}};
@@ -82,7 +82,7 @@ CLI::App* add_core_implement_command(CLI::App& core, int& exit_code) {
   CLI::App* const command =
       core.add_subcommand("implement", "Map a core and its AXI wrapper, or make a bitstream for a board");
   const auto options = std::make_shared<CoreImplementCommand>();
-  add_core_bits_option(*command, options->core.bits, rtl::to_string(rtl::Format(options->core.options.bits)));
+  add_core_bits_option(*command, options->core.bits, to_string(Format(options->core.options.bits)));
   CLI::Option* const target = add_target_option(*command, options->target);
   CLI::Option* const board =
       add_board_option(*command, options->board,

@@ -50,7 +50,7 @@ void emit_core(const CoreRtlCommand& command) {
   for (const rtl::Feature* const feature : rtl::features_of(core.options))
     features.emplace_back(feature->name);
   Row row{{"core", core.module},
-          {"bits", rtl::to_string(rtl::Format(core.options.bits))},
+          {"bits", to_string(Format(core.options.bits))},
           {"rays", core.options.rays},
           {"features", fmt::format("{}", fmt::join(features, ", "))}};
   for (const rtl::Part& part : core.parts)
@@ -68,7 +68,7 @@ CLI::App* add_core_rtl_command(CLI::App& core, int& /*exit_code*/) {
   CLI::App* const command =
       core.add_subcommand("rtl", "Write a core's Verilog, bus wrapper, C header, picture and testbench");
   const auto options = std::make_shared<CoreRtlCommand>();
-  add_core_bits_option(*command, options->core.bits, rtl::to_string(rtl::Format(options->core.options.bits)));
+  add_core_bits_option(*command, options->core.bits, to_string(Format(options->core.options.bits)));
   add_folder_option(*command, options->out, "Folder to write to; made if it is not there")->required();
   using Group = rtl::CoreOption::Group;
   add_core_options(*command, options->core,

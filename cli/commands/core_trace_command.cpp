@@ -31,7 +31,8 @@
 #include "cli/text/table.hpp"
 #include "cli/text/trace_text.hpp"
 #include "host/files.hpp"
-#include "rtl_gen/catalogue/format.hpp"
+#include "host/format.hpp"
+#include "rays/image/core_image.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "sim/core/core_trace.hpp"
@@ -40,7 +41,6 @@
 #include "sim/core/picture_rays.hpp"
 #include "sim/machine/verilated_machine.hpp"
 #include "sim/operands/answer.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "sw_ref/render/image_file.hpp"
 
 namespace hitpipe::cli {
@@ -83,8 +83,8 @@ CoreScene scene_of(const TraceCommand& command) {
   std::optional<ref::CoreImage> stored = command.traced.stored();
   hls::WorldBits usual;
   if (stored) usual.coord = usual.slope = stored->header.coord_bits;
-  const std::string bits = command.bits.value_or(rtl::to_string(rtl::Format(usual)));
-  return command.traced.load(std::move(stored), rtl::parse_bits<hls::WorldBits>(bits), bits);
+  const std::string bits = command.bits.value_or(to_string(Format(usual)));
+  return command.traced.load(std::move(stored), parse_bits<hls::WorldBits>(bits), bits);
 }
 
 sim::MemoryOptions memory_of(const TraceCommand& command) {
@@ -356,7 +356,7 @@ CLI::App* add_core_trace_command(CLI::App& core, int& exit_code) {
   command
       ->add_option("--bits", options->bits,
                    "Format of the integer world, n+gsS. With --image n is the image's, and the default n+1sn")
-      ->default_str(rtl::to_string(rtl::Format(hls::WorldBits{})))
+      ->default_str(to_string(Format(hls::WorldBits{})))
       ->type_name("FORMAT");
   command
       ->add_option("--rays-in-flight", options->rays_in_flight,

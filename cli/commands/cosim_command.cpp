@@ -26,16 +26,18 @@
 #include "host/files.hpp"
 #include "host/outputs.hpp"
 #include "host/talk.hpp"
+#include "rays/trace/int_tracer.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/emit/read_unit.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/cosim/cosim.hpp"
 #include "sim/cosim/station.hpp"
 #include "sim/cosim/world_tracer.hpp"
 #include "sim/operands/traced_list.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "sw_ref/render/image_file.hpp"
+#include "sw_ref/render/int_surfaces.hpp"
 #include "sw_ref/render/render.hpp"
-#include "sw_ref/world/int_tracer.hpp"
 
 namespace hitpipe::cli {
 
@@ -77,7 +79,7 @@ Row record(const CosimCommand& command, const rtl::Unit& unit, const ref::Scene&
   const auto or_null = [](std::optional<std::uint64_t> count) { return count ? Row(*count) : Row(nullptr); };
   // Where each test answers for one box, tests and boxes are the same.
   const bool several_boxes = command.choice.design().kind.objects > 1;
-  Row row{{"design", command.choice.name}, {"bits", rtl::to_string(unit.format)}};
+  Row row{{"design", command.choice.name}, {"bits", to_string(unit.format)}};
   if (command.library != rtl::default_library) row["library"] = command.library;
   row["scene"] = scene.name;
   row.update(scene_row(scene));
@@ -244,7 +246,7 @@ int cosimulate_boxes(const CosimCommand& command, const CLI::App& parsed, std::o
   const std::string false_misses =
       result.unit.false_misses ? fmt::format(", {} false misses", *result.unit.false_misses) : "";
   fmt::print(stderr, "hitpipe: {} {} on {}: {} RTL mismatches, {} different triangles{}; all must be 0\n",
-             command.choice.name, rtl::to_string(unit.format), work.scene.name, result.unit.rtl_mismatches,
+             command.choice.name, to_string(unit.format), work.scene.name, result.unit.rtl_mismatches,
              result.different_triangles, false_misses);
   return 1;
 }
@@ -253,7 +255,7 @@ int cosimulate_boxes(const CosimCommand& command, const CLI::App& parsed, std::o
 int cosimulate_triangles(const CosimCommand& command, const CLI::App& parsed,
                          std::optional<Progress>& progress) {
   const rtl::Design& design = command.choice.design();
-  const rtl::Format format = command.choice.format();
+  const Format format = command.choice.format();
   const auto world = format.as<hls::WorldBits>();
   const hls::MajorBits box_bits = command.boxes.format(world).value_or(usual_box_format(world));
   const rtl::Design& boxes = rtl::find_design(command.box_unit.value_or("int_major"));
@@ -292,8 +294,8 @@ int cosimulate_triangles(const CosimCommand& command, const CLI::App& parsed,
 
   const sim::WorldCounts counts = tracer.counts();
   const ref::TraceCounts all = result.counts.total();
-  Row row{{"design", design.name},     {"bits", rtl::to_string(format)},
-          {"box_unit", boxes.name},    {"box_bits", rtl::to_string(rtl::Format(box_bits))},
+  Row row{{"design", design.name},     {"bits", to_string(format)},
+          {"box_unit", boxes.name},    {"box_bits", to_string(Format(box_bits))},
           {"scene", scene.scene.name}, {"hierarchy", command.hierarchy.name()}};
   row.update(scene_row(scene));
   row.update(
@@ -324,7 +326,7 @@ int cosimulate_triangles(const CosimCommand& command, const CLI::App& parsed,
   fmt::print(
       stderr,
       "hitpipe: {} {} on {}: {} RTL mismatches, {} rays that differ from exact integers; all must be 0\n",
-      design.name, rtl::to_string(format), scene.scene.name, mismatches, counts.different);
+      design.name, to_string(format), scene.scene.name, mismatches, counts.different);
   return 1;
 }
 

@@ -9,7 +9,7 @@
 #include "cli/options/trace_options.hpp"
 #include "cli/options/world_options.hpp"
 #include "cli/text/table.hpp"
-#include "sw_ref/hierarchy/load_bvh.hpp"
+#include "rays/tree/load_bvh.hpp"
 
 namespace CLI {
 class App;

@@ -23,8 +23,8 @@
 #include "host/files.hpp"
 #include "host/talk.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
+#include "sim/cosim/generic_tracer.hpp"
 #include "sim/fit/fit_scene.hpp"
-#include "sim/generic_tracer.hpp"
 #include "sim/unit/unit_set_up.hpp"
 
 namespace hitpipe::cli {
@@ -54,7 +54,7 @@ struct FitCommand {
 /// A design and its format before the fit.
 struct Wanted {
   const rtl::Design* design;
-  rtl::Format before;
+  Format before;
 };
 
 /// Each design once. Throws before the long run when a name or a number format does not exist.
@@ -128,7 +128,7 @@ void add_search(Row& row, const std::optional<sim::Precision>& precision, bool l
   Row starts = Row::array();
   if (searched)
     for (const auto& [format, cost] : precision->starts)
-      starts.push_back(rtl::to_string(format) +
+      starts.push_back(to_string(format) +
                        (std::isfinite(cost) ? fmt::format(" {:.4g}", cost) : " beyond a limit"));
   const char* const measure = least_area ? "area in mm²" : "whole cost in mm² ms";
   row.update({{"search_measure", searched ? Row(measure) : Row(nullptr)},
@@ -153,8 +153,8 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const ref
   Row demands = Row::array();
   for (std::size_t i = 0; i < unit.demands.count(); ++i) demands.push_back(rtl::demand_text(unit.demands, i));
   Row row{{"design", unit.design->name},
-          {"bits", rtl::to_string(unit.format)},
-          {"bits_before", rtl::to_string(unit.before)},
+          {"bits", to_string(unit.format)},
+          {"bits_before", to_string(unit.before)},
           {"dropped_bits", sim::coarse_axes(unit).dropped},
           {"ray_ends", sim::takes_ends(unit)},
           {"endless_extra_box_tests_pct",

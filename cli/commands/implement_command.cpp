@@ -47,7 +47,7 @@ Row record(const ImplementCommand& command, const sim::Target& target, const sim
   const rtl::Design& design = command.choice.design();
   const std::optional<double> fmax = unit.fmax_mhz();
   const int interval = command.options.interval;
-  Row row{{"design", design.name},   {"bits", rtl::to_string(command.choice.format())},
+  Row row{{"design", design.name},   {"bits", to_string(command.choice.format())},
           {"target", target.name},   {"chip", target.chip},
           {"library", unit.library}, {"flow_control", rtl::flow_control_name(command.options.flow_control)},
           {"module", unit.module},   {"latency", unit.latency}};
@@ -89,7 +89,7 @@ constexpr std::size_t most_clocks = 6;
 std::vector<TriedClock> try_clocks(const ImplementCommand& command, const sim::Target& target,
                                    const sim::ImplementOptions& given) {
   const rtl::Design& design = command.choice.design();
-  const rtl::Format format = command.choice.format();
+  const Format format = command.choice.format();
   const rtl::Library library = given.library_for(target);
   std::vector<TriedClock> tried;
   for (const int clock_ps : sim::clocks_to_try(design.trace(format), library, most_clocks)) {
@@ -143,7 +143,7 @@ int implement(const ImplementCommand& command) {
     return implement_on_board(command.choice, command.board, command.options, command.format);
   }
   const rtl::Design& design = command.choice.design();
-  const rtl::Format format = command.choice.format();
+  const Format format = command.choice.format();
   const sim::Target target = sim::target_called(command.target);
   sim::ImplementOptions options = command.options;
   std::optional<Progress> progress;
@@ -172,7 +172,7 @@ int implement(const ImplementCommand& command) {
     what += "; " + sim::fitting_option(design, format, target, options, unit);
     progress.reset();
   }
-  fmt::print(stderr, "hitpipe: {} {} {}\n", design.name, rtl::to_string(format), what);
+  fmt::print(stderr, "hitpipe: {} {} {}\n", design.name, to_string(format), what);
   return 1;
 }
 

@@ -26,7 +26,7 @@ std::string designs_text(OutputFormat format) {
   std::vector<Row> rows;
   for (const rtl::Design& design : rtl::designs()) {
     rows.push_back({{"design", design.name},
-                    {"bits", rtl::to_string(design.default_format)},
+                    {"bits", to_string(design.default_format)},
                     {"misses", !has_hit(design)      ? "-"
                                : design.conservative ? "never"
                                                      : "possible"},
@@ -49,6 +49,16 @@ std::string scenes_text(OutputFormat format) {
   return table_text(rows, format);
 }
 
+Row promise_row(const rtl::Promise& promise) {
+  Row row{{"what", promise.what}};
+  if (!promise.machine.empty()) row["machine"] = promise.machine;
+  if (!promise.bits.empty()) row["bits"] = promise.bits;
+  if (!promise.test.empty()) row["test"] = promise.test;
+  for (const rtl::Promise::Damage& each : promise.damage)
+    row["damage"].push_back({{"what", each.what}, {"change", each.change}});
+  return row;
+}
+
 /// What a core may have.
 std::string features_text(OutputFormat format) {
   std::vector<Row> rows;
@@ -62,7 +72,7 @@ std::string features_text(OutputFormat format) {
     for (const rtl::Excludes& other : each->excludes) row["excludes"].push_back(other.feature);
     for (const rtl::Failure& failure : each->failures)
       row["failures"].push_back({{"what", failure.what}, {"shows", failure.shows}});
-    row.update({{"proved", each->proved}, {"tested", each->tested}});
+    for (const rtl::Promise& promise : each->promises) row["promises"].push_back(promise_row(promise));
   }
   return table_text(rows, format);
 }

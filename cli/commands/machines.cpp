@@ -11,7 +11,7 @@
 #include "area_model/price.hpp"
 #include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
-#include "rtl_gen/machine/files.hpp"
+#include "rtl_gen/emit/machine_files.hpp"
 #include "rtl_gen/verilog/names.hpp"
 
 namespace hitpipe::cli {
@@ -21,15 +21,15 @@ namespace {
 /// The heading in the help.
 constexpr const char* units_only = "Options of a unit";
 
-rtl::Format format_of(const rtl::Machine& machine, const std::optional<std::string>& bits) {
+Format format_of(const rtl::Machine& machine, const std::optional<std::string>& bits) {
   return bits ? machine.parse_format(*bits) : machine.default_format;
 }
 
-Row machine_row(const rtl::Machine& machine, const rtl::Format& format, const rtl::Library& library,
+Row machine_row(const rtl::Machine& machine, const Format& format, const rtl::Library& library,
                 OutputFormat output) {
   const area::MachinePrice price = area::price(machine.graph(format), library);
   Row row{{"machine", machine.name},
-          {"bits", rtl::to_string(format)},
+          {"bits", to_string(format)},
           {"library", library.name()},
           {"clock_ps", price.clock_ps},
           {"register_bits", price.register_bits},
@@ -49,7 +49,7 @@ Row machine_row(const rtl::Machine& machine, const rtl::Format& format, const rt
 void emit_machine(const rtl::Machine& machine, const std::optional<std::string>& bits,
                   const MachineRtl& options) {
   if (!options.module.empty()) rtl::check_module_name(options.module);
-  const rtl::Format format = format_of(machine, bits);
+  const Format format = format_of(machine, bits);
   const rtl::Library library = rtl::library_called(options.library);
   std::vector<host::File> files = rtl::machine_files(
       machine, format, library, {.module = options.module, .cycles = options.cycles, .seed = options.seed});
@@ -77,9 +77,8 @@ void print_machine_prices(const std::vector<const rtl::Machine*>& machines,
 std::string machines_text(OutputFormat format) {
   std::vector<Row> rows;
   for (const rtl::Machine& machine : rtl::machines()) {
-    rows.push_back({{"machine", machine.name},
-                    {"bits", rtl::to_string(machine.default_format)},
-                    {"what", machine.summary}});
+    rows.push_back(
+        {{"machine", machine.name}, {"bits", to_string(machine.default_format)}, {"what", machine.summary}});
     if (format != OutputFormat::text) rows.back()["formats"] = machine.default_format.family().allowed();
   }
   return table_text(rows, format);

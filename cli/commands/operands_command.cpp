@@ -86,7 +86,7 @@ sim::OperandCounts judge_operands(const OperandsCommand& command, TestForm form,
                                   const std::function<void(std::string_view)>& write,
                                   const std::function<void(double)>& progress) {
   const rtl::Design& design = command.choice.design();
-  const rtl::Format format = command.choice.format();
+  const Format format = command.choice.format();
   const sim::Placement placement = command.bounds ? sim::Placement(*command.bounds) : sim::Placement();
   return sim::write_operands(
       [&] { return sim::make_box_test(design, format); },
@@ -101,7 +101,7 @@ int make_operands(const OperandsCommand& command, const CLI::App& parsed) {
   if (command.files.rays == "-" && command.files.boxes == "-")
     throw std::runtime_error("--rays and --boxes are both -; only one can be standard input");
   const rtl::Design& design = command.choice.design();
-  const rtl::Format format = command.choice.format();
+  const Format format = command.choice.format();
   const TestForm form = form_of(command);
   const bool to_file = command.out != "-";
   std::optional<host::PendingFile> file;
@@ -115,7 +115,7 @@ int make_operands(const OperandsCommand& command, const CLI::App& parsed) {
   };
   std::optional<Progress> progress(std::in_place, "testing");
   const auto show = [&](double share) { progress->show(share); };
-  Row row{{"design", design.name}, {"bits", rtl::to_string(format)}};
+  Row row{{"design", design.name}, {"bits", to_string(format)}};
   if (command.bounds) {
     const sim::Placement placement(*command.bounds);
     const ref::Normalisation& cube = placement.transform();

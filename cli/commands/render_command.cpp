@@ -22,14 +22,15 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
+#include "rays/trace/int_tracer.hpp"
+#include "rays/tree/bvh.hpp"
 #include "sim/operands/traced_list.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/memory/read_bytes.hpp"
 #include "sw_ref/render/image_compare.hpp"
 #include "sw_ref/render/image_file.hpp"
+#include "sw_ref/render/int_surfaces.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/render/stiff_rays.hpp"
-#include "sw_ref/world/int_tracer.hpp"
 
 namespace hitpipe::cli {
 

@@ -32,9 +32,9 @@
 #include "host/machine.hpp"
 #include "host/outputs.hpp"
 #include "host/talk.hpp"
+#include "sim/cosim/generic_tracer.hpp"
 #include "sim/fit/fit_scene.hpp"
-#include "sim/generic_tracer.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "sim/sweep/resume.hpp"
 
 namespace hitpipe::cli {
@@ -119,18 +119,18 @@ Row facts_of(const rtl::Design& design) {
           {"single", design.default_format.family().single}};
 }
 
-Row unit_row(const rtl::Design& design, const rtl::Format& format) {
+Row unit_row(const rtl::Design& design, const Format& format) {
   return {{"design", design.name},
-          {"bits", rtl::to_string(format)},
+          {"bits", to_string(format)},
           {"bits_option", design.bits_option(format)},
           {"name", design.name_at(format)}};
 }
 
 /// The units that a report looks at closely: each design that the user named in its usual format, or else in
 /// the last one that is swept. If none is named, the thesis's six units (Table 7.2).
-std::vector<std::pair<const rtl::Design*, rtl::Format>> close_units(
-    const std::vector<sim::DesignFormats>& formats, bool named) {
-  std::vector<std::pair<const rtl::Design*, rtl::Format>> units;
+std::vector<std::pair<const rtl::Design*, Format>> close_units(const std::vector<sim::DesignFormats>& formats,
+                                                               bool named) {
+  std::vector<std::pair<const rtl::Design*, Format>> units;
   if (!named)
     for (const area::Entry& entry : area::table_7_2())
       units.emplace_back(&rtl::find_design(entry.design), entry.format);
@@ -145,17 +145,17 @@ std::vector<std::pair<const rtl::Design*, rtl::Format>> close_units(
 /// traversals: its own, and the smallest that is swept.
 Row image_row(const DesignChoice& image, const std::vector<sim::DesignFormats>& swept) {
   const rtl::Design& design = image.design();
-  std::vector<rtl::Format> formats{image.format()};
+  std::vector<Format> formats{image.format()};
   for (const sim::DesignFormats& each : swept) {
     if (each.design != &design) continue;
-    const rtl::Format least = *std::ranges::min_element(each.formats, {}, &rtl::Format::numbers);
+    const Format least = *std::ranges::min_element(each.formats, {}, &Format::numbers);
     if (least != formats.front()) formats.push_back(least);
   }
   Row row = unit_row(design, formats.front());
   row["tracers"] = Row::array();
   if (const auto named = sim::software_of(design).named_tracer)
-    for (const rtl::Format& format : formats)
-      row["tracers"].push_back({rtl::to_string(format), trace_options_text(named(format))});
+    for (const Format& format : formats)
+      row["tracers"].push_back({to_string(format), trace_options_text(named(format))});
   return row;
 }
 
@@ -188,7 +188,7 @@ std::vector<sim::DesignFormats> formats_of(const std::vector<sim::SweepRow>& row
     const rtl::Design& design = rtl::find_design(row.design);
     auto of = std::ranges::find(formats, &design, &sim::DesignFormats::design);
     if (of == formats.end()) of = formats.insert(formats.end(), {&design, {}});
-    const rtl::Format format = design.parse_format(row.bits);
+    const Format format = design.parse_format(row.bits);
     if (std::ranges::find(of->formats, format) == of->formats.end()) of->formats.push_back(format);
   }
   return formats;

@@ -12,6 +12,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/text.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace hitpipe::cli {
 
@@ -142,7 +143,7 @@ int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const Design
   if (format == OutputFormat::text) {
     fmt::print("{}: {} vertices, {} pixels{}\n", scene.name, scene.mesh.vertices.size(),
                original.image.size(),
-               judged ? fmt::format(", {} {}", design->design().name, rtl::to_string(design->format())) : "");
+               judged ? fmt::format(", {} {}", design->design().name, to_string(design->format())) : "");
     for (Row& row : rows) row = short_row(row, judged);
   }
   fmt::print("{}", table_text(rows, format));

@@ -51,7 +51,7 @@ rtl::FlowControl flow_control_of(const RtlOptions& options, const rtl::Pipeline&
 
 void emit_rtl(const RtlOptions& options) {
   const rtl::Design& design = options.choice.design();
-  const rtl::Format format = options.choice.format();
+  const Format format = options.choice.format();
   if (options.name) rtl::check_module_name(*options.name);
   const rtl::Library library = rtl::library_called(options.library, options.block_luts);
   const rtl::Pipeline pipeline =
@@ -72,7 +72,7 @@ void emit_rtl(const RtlOptions& options) {
   for (const rtl::File& file : written.files)
     names.push_back((std::filesystem::path(options.out) / file.name).string());
   const Row row{{"design", design.name},
-                {"bits", rtl::to_string(format)},
+                {"bits", to_string(format)},
                 {"module", emitted.module},
                 {"stages", pipeline.schedule.stages},
                 {"latency", pipeline.latency()},

@@ -12,8 +12,8 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "host/files.hpp"
-#include "sim/software.hpp"
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::cli {
 
@@ -29,7 +29,7 @@ struct CountedScene {
 void measure(const StiffCheck& command, const CountedScene* loaded, std::vector<MeasuredDesign>& designs) {
   for (MeasuredDesign& d : designs) {
     for (Measured& m : d.formats) {
-      Progress progress(fmt::format("{} {}", d.design->name, rtl::to_string(m.format)));
+      Progress progress(fmt::format("{} {}", d.design->name, to_string(m.format)));
       const double parts = loaded != nullptr ? 2.0 : 1.0;
       double finished = 0;
       const sim::StiffnessOptions options{
@@ -95,7 +95,7 @@ Row to_row(const Measured& measured) {
                           {"reference_box_tests", each.reference_box_tests},
                           {"different_triangles", each.different_triangles},
                           {"work_sums", each.work.sums()}});
-  return {{"bits", rtl::to_string(measured.format)}, {"boxes", boxes}, {"traversals", traversals}};
+  return {{"bits", to_string(measured.format)}, {"boxes", boxes}, {"traversals", traversals}};
 }
 
 Measured parse_measured(const rtl::Design& design, const Row& row) {
@@ -147,7 +147,7 @@ std::vector<MeasuredDesign> stiff_designs(const StiffCheck& command) {
       throw CLI::ValidationError("--bits", fmt::format("{} formats for {}; allowed are {} at most",
                                                        each.formats.size(), each.design->name, most_formats));
     MeasuredDesign made{each.design, {}};
-    for (const rtl::Format& format : each.formats)
+    for (const Format& format : each.formats)
       made.formats.push_back({.format = format, .boxes = {}, .all_boxes = {}, .traversals = {}});
     measured.push_back(std::move(made));
   }

@@ -23,7 +23,7 @@ void SweepAnswers::write(const ref::Scene& scene, const ref::Bvh& bvh, const sim
   for (const auto& entry : found_) {
     const sim::SweepPoint& point = entry.second.first;
     const std::vector<std::uint32_t>& triangles = entry.second.second;
-    const std::vector<std::string> unit{std::string(point.design->name), rtl::to_string(point.format),
+    const std::vector<std::string> unit{std::string(point.design->name), to_string(point.format),
                                         fmt::format("{}", point.rays_in_flight),
                                         fmt::format("{}", point.interval)};
     file_.add(unit, options.rays, [&](std::size_t ray) {

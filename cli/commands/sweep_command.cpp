@@ -31,7 +31,7 @@
 #include "host/machine.hpp"
 #include "host/text.hpp"
 #include "sim/cosim/ray_unit.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "sim/sweep/resume.hpp"
 
 namespace hitpipe::cli {
@@ -142,7 +142,7 @@ int report(const std::vector<sim::SweepRow>& rows, const Row& notes, OutputForma
   return exit_code;
 }
 
-std::vector<rtl::Format> world_formats(const rtl::Design& /*design*/) {
+std::vector<Format> world_formats(const rtl::Design& /*design*/) {
   return usual_world_formats();
 }
 
@@ -160,7 +160,7 @@ int sweep_triangles(const SweepCommand& command, const CLI::App& parsed, const r
   if (!command.rows.empty()) throw std::runtime_error("--rows: a sweep of a triangle unit takes none");
   if (command.rays.given())
     throw std::runtime_error("--rays: a sweep of a triangle unit compares pictures, and a file makes none");
-  const std::vector<rtl::Format> formats = command.units.formats({&design}, world_formats).front().formats;
+  const std::vector<Format> formats = command.units.formats({&design}, world_formats).front().formats;
   const auto measured = [&](host::Piece piece) {
     const host::Piece::Range mine = piece.range(formats.size());
     const auto first = formats.begin() + static_cast<std::ptrdiff_t>(mine.first);

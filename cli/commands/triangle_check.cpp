@@ -8,7 +8,7 @@
 
 #include "cli/commands/categories.hpp"
 #include "cli/text/progress.hpp"
-#include "rtl_gen/part/unit.hpp"
+#include "rtl_gen/emit/unit.hpp"
 
 namespace hitpipe::cli {
 
@@ -51,7 +51,7 @@ std::vector<ref::IntCategory> triangle_categories(const DesignChoice& choice,
 
 TriangleFindings check_triangle_unit(const TriangleCheck& command) {
   const rtl::Design& design = command.choice.design();
-  const rtl::Format format = command.choice.format();
+  const Format format = command.choice.format();
   sim::TriangleCheckOptions options;
   options.categories = triangle_categories(command.choice, command.categories);
   options.tests = command.tests;
@@ -78,7 +78,7 @@ TriangleFindings check_triangle_unit(const TriangleCheck& command) {
 }
 
 Row to_row(const TriangleFindings& findings) {
-  Row row{{"design", findings.design},  {"bits", rtl::to_string(findings.format)},
+  Row row{{"design", findings.design},  {"bits", to_string(findings.format)},
           {"seed", findings.seed},      {"rtl", findings.rtl},
           {"categories", Row::array()}, {"first_wrong", findings.first_wrong},
           {"seconds", findings.seconds}};
@@ -120,7 +120,7 @@ int report_findings(const TriangleFindings& findings, OutputFormat format) {
   sum.category = "all";
   rows.push_back(row_of(sum, findings.rtl, crossings));
   if (format == OutputFormat::text)
-    fmt::print("{} {}, seed {}\n", findings.design, rtl::to_string(findings.format), findings.seed);
+    fmt::print("{} {}, seed {}\n", findings.design, to_string(findings.format), findings.seed);
   fmt::print("{}", table_text(rows, format));
   if (format == OutputFormat::text) fmt::print("{:.1f} s\n", findings.seconds);
   if (sum.wrong > 0)

@@ -25,7 +25,7 @@ struct TriangleCheck {
 
 struct TriangleFindings {
   std::string design;
-  rtl::Format format;
+  Format format;
   std::uint64_t seed = 1;
   bool rtl = false;                                       ///< the Verilog answered too
   std::vector<sim::TriangleCategoryResult> categories{};  ///< in order

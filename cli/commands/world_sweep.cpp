@@ -29,7 +29,7 @@ void add_cost(Row& row, const std::string& unit, const area::Price& price, std::
   row[unit + "_ms"] = static_cast<double>(tests) * static_cast<double>(price.test_ps()) * 1e-9;
 }
 
-std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, const rtl::Format& format) {
+std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, const Format& format) {
   const auto world = format.as<hls::WorldBits>();
   const rtl::Design& box_unit = rtl::find_design("int_major");
   ref::IntErrorOptions options{.world = world,
@@ -41,7 +41,7 @@ std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, con
   for (const int p : command.mantissas)
     options.boxes.push_back({world.coord, world.finer, p, 0, world.slope});
   const ref::IntError error = ref::int_error(scene, options);
-  const auto price = [&](const rtl::Design& design, const rtl::Format& its_format) {
+  const auto price = [&](const rtl::Design& design, const Format& its_format) {
     return area::price(design, its_format, *command.library, area::Account::built, rtl::FlowControl::stall,
                        command.interval);
   };
@@ -49,13 +49,13 @@ std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, con
   const ref::Share rays = error.different(), pixels{error.different_pixels, error.pixels};
   std::vector<Row> rows;
   for (std::size_t i = 0; i < options.boxes.size(); ++i) {
-    const rtl::Format boxes = options.boxes[i];
+    const Format boxes = options.boxes[i];
     const ref::TraceCounts& work = error.with[i];
     Row row{
         {"scene", scene.name},
         {"hierarchy", command.hierarchy.name()},
-        {"bits", rtl::to_string(format)},
-        {"boxes", rtl::to_string(boxes)},
+        {"bits", to_string(format)},
+        {"boxes", to_string(boxes)},
         {"rays", error.rays},
         {"different_rays", error.different_rays},
         {"different_rays_pct", rays.percent()},
@@ -117,8 +117,8 @@ std::vector<Row> world_rows(const WorldSweep& command, const ref::Scene& scene,
 
 }  // namespace
 
-std::vector<rtl::Format> usual_world_formats() {
-  std::vector<rtl::Format> formats;
+std::vector<Format> usual_world_formats() {
+  std::vector<Format> formats;
   for (const int n : {16, 18, 20, 22, 24}) formats.emplace_back(hls::WorldBits{n, 1, n});
   return formats;
 }

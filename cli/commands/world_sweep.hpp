@@ -6,17 +6,17 @@
 
 #include "cli/options/scene_options.hpp"
 #include "cli/text/table.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/tree/load_bvh.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
-#include "sw_ref/hierarchy/load_bvh.hpp"
 #include "sw_ref/render/whitted.hpp"
-#include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::cli {
 
 struct WorldSweep {
   const rtl::Design* design;
-  std::vector<rtl::Format> formats;
+  std::vector<Format> formats;
   std::vector<int> mantissas;  ///< p of the boxes; one row for each
   SceneChoice scene;
   ref::HierarchyOptions hierarchy;
@@ -32,7 +32,7 @@ struct WorldFindings {
 };
 
 /// n = 16, 18, 20, 22 and 24 with a finer bit, and as many bits of a slope.
-[[nodiscard]] std::vector<rtl::Format> usual_world_formats();
+[[nodiscard]] std::vector<Format> usual_world_formats();
 
 /// Reads the scene and measures. The camera is added to the notes.
 [[nodiscard]] WorldFindings sweep_world(const WorldSweep& command, Row notes);

@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/options/values.hpp"
-#include "rtl_gen/catalogue/format.hpp"
+#include "host/format.hpp"
 #include "sim/core/memory_port.hpp"
 
 namespace hitpipe::cli {
@@ -81,7 +81,7 @@ CLI::Option* add_option(CLI::App& command, const CoreOption& option, rtl::CoreOp
 
 rtl::CoreOptions CoreChoice::core() const {
   rtl::CoreOptions made = options;
-  if (bits) made.bits = rtl::parse_bits<hls::RayBits>(*bits);
+  if (bits) made.bits = parse_bits<hls::RayBits>(*bits);
   return made;
 }
 

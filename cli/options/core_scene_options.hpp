@@ -8,9 +8,9 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/text/table.hpp"
 #include "hls/world/world_format.hpp"
-#include "sw_ref/core/core_image.hpp"
-#include "sw_ref/hierarchy/load_bvh.hpp"
-#include "sw_ref/world/int_scene.hpp"
+#include "rays/image/core_image.hpp"
+#include "rays/tree/load_bvh.hpp"
+#include "rays/world/int_scene.hpp"
 
 namespace CLI {
 class App;

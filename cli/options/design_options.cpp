@@ -20,15 +20,15 @@ namespace hitpipe::cli {
 
 namespace {
 
-void append_once(std::vector<rtl::Format>& formats, const rtl::Format& format) {
+void append_once(std::vector<Format>& formats, const Format& format) {
   if (std::find(formats.begin(), formats.end(), format) == formats.end()) formats.push_back(format);
 }
 
 /// The formats of these designs: "n/t with n in .. for int_slabs, int_plucker; fp32, which .. for fp_slabs".
 std::string spellings(const std::vector<const rtl::Design*>& designs) {
-  std::vector<std::pair<const rtl::FormatFamily*, std::vector<std::string_view>>> users;
+  std::vector<std::pair<const FormatFamily*, std::vector<std::string_view>>> users;
   for (const rtl::Design* const design : designs) {
-    const rtl::FormatFamily* const family = &design->default_format.family();
+    const FormatFamily* const family = &design->default_format.family();
     auto found = std::find_if(users.begin(), users.end(), [&](const auto& u) { return u.first == family; });
     if (found == users.end()) found = users.insert(users.end(), {family, {}});
     found->second.push_back(design->name);
@@ -91,15 +91,15 @@ std::vector<sim::DesignFormats> DesignsChoice::formats(const std::vector<const r
     const std::string format = equals == std::string::npos ? text : text.substr(equals + 1);
     // Families may share a spelling: some take any eEmM, others only e8m23.
     const auto has = [&](const sim::DesignFormats& each) {
-      const rtl::FormatFamily& family = each.design->default_format.family();
-      const std::optional<rtl::FormatNumbers> numbers = family.parse(format);
+      const FormatFamily& family = each.design->default_format.family();
+      const std::optional<FormatNumbers> numbers = family.parse(format);
       return numbers && family.valid(*numbers);
     };
     const bool some_have = name.empty() && std::any_of(all.begin(), all.end(), has);
     bool taken = false;
     for (sim::DesignFormats& each : all) {
       if (!name.empty() && each.design->name != name) continue;
-      const rtl::FormatFamily& family = each.design->default_format.family();
+      const FormatFamily& family = each.design->default_format.family();
       if (name.empty() && (some_have ? !has(each) : !family.parse(format))) continue;
       append_once(each.formats, each.design->parse_format(format));
       taken = true;

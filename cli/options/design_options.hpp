@@ -25,7 +25,7 @@ struct DesignChoice {
   /// Throws what rtl::find_design() throws.
   [[nodiscard]] const rtl::Design& design() const { return rtl::find_design(name); }
   /// Throws what rtl::find_design() and rtl::Design::parse_format() throw.
-  [[nodiscard]] rtl::Format format() const {
+  [[nodiscard]] Format format() const {
     return bits ? design().parse_format(*bits) : design().default_format;
   }
 };
@@ -37,7 +37,7 @@ void add_design_options(CLI::App& command, DesignChoice& choice);
 struct DesignsChoice {
   /// Why a design cannot be used, one line; empty when it can.
   using WhyNot = std::string (*)(const rtl::Design&);
-  using Formats = std::function<std::vector<rtl::Format>(const rtl::Design&)>;
+  using Formats = std::function<std::vector<Format>(const rtl::Design&)>;
 
   std::vector<std::string> names;  ///< empty: all designs that can be used
   std::vector<std::string> bits;   ///< "20/24" for every design that has it, "int_slabs=20/24" for one

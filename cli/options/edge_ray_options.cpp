@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/values.hpp"
+#include "rays/world/int_ray.hpp"
 #include "sw_ref/world/edge_lines.hpp"
-#include "sw_ref/world/int_ray.hpp"
 
 namespace hitpipe::cli {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "host/piece.hpp"
-#include "sw_ref/scene/ray.hpp"
-#include "sw_ref/world/int_scene.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/world/int_scene.hpp"
 
 namespace CLI {
 class App;

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/hierarchy/load_bvh.hpp"
+#include "rays/tree/bvh.hpp"
+#include "rays/tree/load_bvh.hpp"
 
 namespace CLI {
 class App;

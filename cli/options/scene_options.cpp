@@ -17,6 +17,7 @@
 #include "host/text.hpp"
 #include "sw_ref/render/camera.hpp"
 #include "sw_ref/scene/built_in.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace hitpipe::cli {
 

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "sw_ref/scene/scene.hpp"
-#include "sw_ref/world/int_scene.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/world/int_scene.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace CLI {
 class App;

@@ -8,7 +8,7 @@
 
 #include "cli/options/values.hpp"
 #include "hls/box/int_format.hpp"
-#include "rtl_gen/catalogue/format.hpp"
+#include "host/format.hpp"
 
 namespace hitpipe::cli {
 
@@ -38,7 +38,7 @@ std::string word_for(const Choices<Value>& choices, Value value) {
 
 std::string trace_options_text(const ref::TracerOptions& options) {
   const std::string bits =
-      options.arithmetic == Arithmetic::integer ? " --bits " + to_string(rtl::Format(options.bits)) : "";
+      options.arithmetic == Arithmetic::integer ? " --bits " + to_string(Format(options.bits)) : "";
   return fmt::format("--traversal {} --arithmetic {}{}", word_for(algorithms, options.algorithm),
                      word_for(arithmetics, options.arithmetic), bits);
 }
@@ -85,12 +85,12 @@ ref::TracerOptions TraceChoice::options() const {
   if (!bits) return chosen;
   if (chosen.arithmetic != ref::Arithmetic::integer)
     throw std::runtime_error("--bits " + *bits + ": only --arithmetic integer has them; leave --bits out");
-  chosen.bits = rtl::parse_bits<hls::IntBits>(*bits);
+  chosen.bits = parse_bits<hls::IntBits>(*bits);
   return chosen;
 }
 
 hls::WorldBits TraceChoice::world_bits() const {
-  return bits ? rtl::parse_bits<hls::WorldBits>(*bits) : hls::WorldBits{};
+  return bits ? parse_bits<hls::WorldBits>(*bits) : hls::WorldBits{};
 }
 
 void add_trace_options(CLI::App& command, TraceChoice& choice) {

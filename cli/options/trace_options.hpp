@@ -6,8 +6,8 @@
 #include <string>
 
 #include "hls/world/world_format.hpp"
+#include "rays/trace/tracer.hpp"
 #include "sw_ref/render/whitted.hpp"
-#include "sw_ref/trace/tracer.hpp"
 
 namespace CLI {
 class App;

@@ -5,19 +5,18 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "rtl_gen/catalogue/format.hpp"
+#include "host/format.hpp"
 
 namespace hitpipe::cli {
 
 std::optional<hls::MajorBits> BoxFormatChoice::format(const hls::WorldBits& world) const {
   if (!bits) return std::nullopt;
-  const auto boxes = rtl::parse_bits<hls::MajorBits>(*bits);
+  const auto boxes = parse_bits<hls::MajorBits>(*bits);
   if (boxes.coord != world.coord || boxes.finer != world.finer || boxes.slope != world.slope ||
       boxes.fraction > world.finer + world.fraction)
-    throw std::runtime_error(
-        fmt::format("--boxes {}: for triangles of {} allowed is {}+{}/pfFs{} with F at most {}", *bits,
-                    rtl::to_string(rtl::Format(world)), world.coord, world.finer, world.slope,
-                    world.finer + world.fraction));
+    throw std::runtime_error(fmt::format(
+        "--boxes {}: for triangles of {} allowed is {}+{}/pfFs{} with F at most {}", *bits,
+        to_string(Format(world)), world.coord, world.finer, world.slope, world.finer + world.fraction));
   return boxes;
 }
 

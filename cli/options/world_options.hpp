@@ -8,7 +8,7 @@
 #include "hls/box/major_format.hpp"
 #include "hls/world/ray_format.hpp"
 #include "hls/world/world_format.hpp"
-#include "sw_ref/world/int_scene.hpp"
+#include "rays/world/int_scene.hpp"
 
 namespace CLI {
 class App;

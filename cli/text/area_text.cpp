@@ -59,8 +59,7 @@ std::string fitted(const std::vector<Cells>& rows) {
 Cells column_head(const Price& price, bool with_interval) {
   const std::string name(price.design);
   const std::size_t split = std::min(name.find('_'), name.size());
-  Cells head{name.substr(0, split), name.substr(std::min(split + 1, name.size())),
-             rtl::to_string(price.format)};
+  Cells head{name.substr(0, split), name.substr(std::min(split + 1, name.size())), to_string(price.format)};
   if (with_interval) head.push_back(fmt::format("II {}", price.interval));
   return head;
 }
@@ -153,7 +152,7 @@ std::vector<Column> columns_of(const AreaTable& table) {
   if (chip != nullptr && !table.rates)
     add_word("library", "", [&table](const Price&) { return table.library->name(); });
   add_word("design", "design", [](const Price& p) { return std::string(p.design); });
-  add_word("bits", "bits", [](const Price& p) { return rtl::to_string(p.format); });
+  add_word("bits", "bits", [](const Price& p) { return to_string(p.format); });
   add("stages", "stages", "", [](const Price& p) { return count(p.stages); });
   add("stage_delay_ns", "delay", "ns", [](const Price& p) { return area::delay_ns(p.stage_delay_ps); });
   add("clock_mhz", "clock", "MHz", area::clock_mhz);
@@ -274,7 +273,7 @@ std::string stages_text(const std::vector<Price>& prices, const StageColumns& co
   std::string text;
   for (const Price& price : prices) {
     text += fmt::format("{}{} {}, {} stages of {} ns\n", text.empty() ? "" : "\n", price.design,
-                        rtl::to_string(price.format), price.stages, area::delay_ns(price.stage_delay_ps));
+                        to_string(price.format), price.stages, area::delay_ns(price.stage_delay_ps));
     text += fmt::format("stage  {}  components\n", columns.heading);
     for (const area::StagePrice& stage : price.by_stage) {
       Cells items;
@@ -315,9 +314,8 @@ std::vector<Row> stage_rows(const AreaTable& table, OutputFormat format) {
     for (const area::StagePrice& stage : unit.price.by_stage) {
       Row& row = rows.emplace_back(Row::object());
       if (chip != nullptr) row["library"] = table.library->name();
-      row.update({{"design", unit.price.design},
-                  {"bits", rtl::to_string(unit.price.format)},
-                  {"stage", stage.stage}});
+      row.update(
+          {{"design", unit.price.design}, {"bits", to_string(unit.price.format)}, {"stage", stage.stage}});
       if (chip != nullptr)
         row.update({{"lut", stage.taken.luts},
                     {"ff", stage.taken.registers},

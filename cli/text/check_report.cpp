@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 
 namespace hitpipe::cli {
@@ -61,8 +61,7 @@ Row row_of(const CheckFindings& findings, OutputFormat format, const sim::Catego
            const sim::CategoryResult* comparison) {
   Row row;
   if (format != OutputFormat::text)
-    row.update(
-        {{"design", findings.design}, {"bits", rtl::to_string(findings.format)}, {"seed", findings.seed}});
+    row.update({{"design", findings.design}, {"bits", to_string(findings.format)}, {"seed", findings.seed}});
   row.update({{"category", r.category},
               {"tests", r.tests},
               {"exact_hits", r.hits},
@@ -105,7 +104,7 @@ int verdict(const CheckFindings& findings, const sim::CategoryResult& sum) {
   }
   if (sum.rtl_mismatches > 0) {
     fmt::print(stderr, "hitpipe: {} {}: {} answers of the Verilog differ from the C++\n", findings.design,
-               rtl::to_string(findings.format), sum.rtl_mismatches);
+               to_string(findings.format), sum.rtl_mismatches);
   }
   return check_verdict(design, sum.false_misses, sum.rtl_mismatches);
 }
@@ -144,7 +143,7 @@ Row to_row(const CheckFindings& findings) {
     return rows;
   };
   return {{"design", findings.design},
-          {"bits", rtl::to_string(findings.format)},
+          {"bits", to_string(findings.format)},
           {"seed", findings.seed},
           {"rtl", findings.rtl},
           {"categories", all(findings.categories)},
@@ -185,7 +184,7 @@ int report_findings(const CheckFindings& findings, OutputFormat format) {
   if (format != OutputFormat::csv)
     rows.push_back(row_of(findings, format, sum, findings.comparison.empty() ? nullptr : &comparison_sum));
   if (format == OutputFormat::text) {
-    fmt::print("{} {}, seed {}\n", findings.design, rtl::to_string(findings.format), findings.seed);
+    fmt::print("{} {}, seed {}\n", findings.design, to_string(findings.format), findings.seed);
   }
   fmt::print("{}", table_text(rows, format));
   if (format == OutputFormat::text) {
@@ -222,7 +221,7 @@ int report_findings(const UnitsFindings& findings, OutputFormat format) {
     sum.category = "all";
     if (format != OutputFormat::csv) results.push_back(sum);
     for (std::size_t i = 0; i < results.size(); ++i) {
-      const std::string beside = i == 0 ? unit.design : i == 1 ? rtl::to_string(unit.format) : "";
+      const std::string beside = i == 0 ? unit.design : i == 1 ? to_string(unit.format) : "";
       rows.push_back(format == OutputFormat::text ? short_row(beside, results[i])
                                                   : row_of(unit, format, results[i], nullptr));
     }

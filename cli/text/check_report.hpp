@@ -13,7 +13,7 @@ namespace hitpipe::cli {
 
 struct CheckFindings {
   std::string design;
-  rtl::Format format;
+  Format format;
   std::uint64_t seed = 1;
   bool rtl = false;                               ///< the Verilog answered too
   std::vector<sim::CategoryResult> categories{};  ///< in order

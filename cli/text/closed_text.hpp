@@ -4,8 +4,8 @@
 #include <span>
 
 #include "cli/text/table.hpp"
-#include "sw_ref/mesh/closed.hpp"
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/tree/closed.hpp"
 
 namespace hitpipe::cli {
 

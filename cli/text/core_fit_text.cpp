@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "area_model/figure.hpp"
-#include "rtl_gen/catalogue/format.hpp"
+#include "host/format.hpp"
 #include "rtl_gen/core/feature.hpp"
 
 namespace hitpipe::cli {
@@ -34,7 +34,7 @@ Row with_share_in_text(Row row) {
 Row core_row(const rtl::CoreOptions& core, const area::CorePartPrice& price, const sim::CoreRate& rate,
              const rtl::Library& library) {
   const rtl::CoreOption& triangles = rtl::core_option("--triangle-ii");
-  Row row{{"bits", rtl::to_string(rtl::Format(core.bits))},
+  Row row{{"bits", to_string(Format(core.bits))},
           {"rays_in_flight", core.rays},
           {"triangle_ii", triangles.text(triangles.get(core))},
           {"stack", 1 << core.stack_bits},

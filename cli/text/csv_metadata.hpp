@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/text/table.hpp"
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
 
 namespace CLI {
 class App;

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/options/values.hpp"
-#include "host/talk.hpp"
 #include "host/text.hpp"
 
 namespace hitpipe::cli {
@@ -94,19 +92,8 @@ void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
   command.footer(fmt::format("Examples:\n  {}", fmt::join(lines, "\n  ")));
 }
 
-void add_talk_options(CLI::App& program) {
-  CLI::Option* const quiet = program.add_flag_callback(
-      "--quiet", [] { host::set_talk(host::Talk::quiet); },
-      "Errors alone on standard error: no progress, no notes");
-  CLI::Option* const verbose = program.add_flag_callback(
-      "--verbose", [] { host::set_talk(host::Talk::verbose); },
-      "Steps on standard error, and the programs that are started");
-  exclude(verbose, quiet, "one says less, the other more");
-  for (CLI::App* const command : program.get_subcommands({})) add_talk_options(*command);
-}
-
 const std::vector<std::string>& talk_options() {
-  static const std::vector<std::string> names{"--quiet", "--verbose"};
+  static const std::vector<std::string> names{quiet_option, verbose_option};
   return names;
 }
 

@@ -29,10 +29,9 @@ void needs_one_of(CLI::App& command, const std::vector<CLI::Option*>& options);
 /// Command lines that the command's help ends with.
 void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 
-/// Gives the program and each of its commands --quiet and --verbose.
-void add_talk_options(CLI::App& program);
-
-/// Their names. They change nothing of a result, so no file names them.
+inline constexpr const char* quiet_option = "--quiet";
+inline constexpr const char* verbose_option = "--verbose";
+/// The names of both. They change nothing of a result, so no file names them.
 [[nodiscard]] const std::vector<std::string>& talk_options();
 
 /// "hitpipe core rtl".

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "host/files.hpp"
-#include "sw_ref/scene/triangle_numbers.hpp"
+#include "rays/scene/triangle_numbers.hpp"
 
 namespace hitpipe::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/text/table.hpp"
-#include "sw_ref/world/int_scene.hpp"
+#include "rays/world/int_scene.hpp"
 
 namespace hitpipe::cli {
 

@@ -12,7 +12,7 @@ std::string ratio_text(sim::Stiffness stiffness) {
 
 Row row_of(const MeasuredDesign& d, const Measured& m, sim::Stiffness stiffness, const std::string& boxes) {
   return {{"design", d.design->name},
-          {"bits", rtl::to_string(m.format)},
+          {"bits", to_string(m.format)},
           {"log2_ratio", stiffness ? Row(*stiffness) : Row("inf")},
           {"boxes", boxes}};
 }
@@ -41,13 +41,13 @@ std::string text_of(const MeasuredDesign& d, Percent percent, PercentInterval in
   for (std::size_t i = 0; i < sim::stiffnesses().size(); ++i) {
     Row row{{"ratio", ratio_text(sim::stiffnesses()[i])}};
     for (const Measured& m : d.formats) {
-      row[rtl::to_string(m.format)] = fmt::format("{:>7.{}f}", percent(m, i), decimals);
+      row[to_string(m.format)] = fmt::format("{:>7.{}f}", percent(m, i), decimals);
     }
     rows.push_back(std::move(row));
     Row spread{{"ratio", "+-95 %"}};
     for (const Measured& m : d.formats) {
       const ref::Interval of = interval(m, i);
-      spread[rtl::to_string(m.format)] = fmt::format("{:>7.{}f}", (of.high - of.low) / 2, decimals);
+      spread[to_string(m.format)] = fmt::format("{:>7.{}f}", (of.high - of.low) / 2, decimals);
     }
     rows.push_back(std::move(spread));
   }

@@ -12,7 +12,7 @@
 namespace hitpipe::cli {
 
 struct Measured {
-  rtl::Format format;
+  Format format;
   std::vector<sim::StiffBoxes> boxes;
   std::vector<sim::StiffBoxes> all_boxes;
   std::vector<sim::StiffTraversals> traversals;  ///< empty without a scene

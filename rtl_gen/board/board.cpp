@@ -9,9 +9,9 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "host/format.hpp"
 #include "host/text.hpp"
 #include "rtl_gen/board/top.hpp"
-#include "rtl_gen/catalogue/format.hpp"
 
 namespace hitpipe::rtl {
 

@@ -12,8 +12,8 @@
 #include "hls/box/fp_format.hpp"
 #include "hls/box/int_format.hpp"
 #include "hls/box/operand.hpp"
+#include "host/format.hpp"
 #include "rtl_gen/catalogue/evaluate.hpp"
-#include "rtl_gen/catalogue/format.hpp"
 #include "rtl_gen/catalogue/port.hpp"
 #include "rtl_gen/graph/graph.hpp"
 

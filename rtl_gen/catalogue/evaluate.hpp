@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "hls/box/operand.hpp"
-#include "rtl_gen/catalogue/format.hpp"
+#include "host/format.hpp"
 
 namespace hitpipe::rtl {
 

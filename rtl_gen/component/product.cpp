@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/graph/canonical.hpp"
-#include "rtl_gen/prune/rewrite.hpp"
+#include "rtl_gen/graph/rewrite.hpp"
 
 namespace hitpipe::rtl {
 

@@ -7,7 +7,7 @@
 #include "hls/machines/walk_format.hpp"
 #include "hls/world/core_format.hpp"
 #include "hls/world/ray_format.hpp"
-#include "rtl_gen/core/features/cache.hpp"
+#include "rtl_gen/core/cache_options.hpp"
 
 namespace hitpipe::rtl {
 

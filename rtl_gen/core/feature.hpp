@@ -84,6 +84,19 @@ struct Failure {
   std::string_view what, shows;
 };
 
+/// What is promised of a feature. A proof of a machine shows it (tests/formal/prove_machines.sh) and finds damage of its
+/// Verilog. Or only a test shows it.
+struct Promise {
+  struct Damage {
+    std::string_view change;  ///< an expression of sed
+    std::string_view what = "damage";
+  };
+  std::string_view what;
+  std::string_view machine{}, bits{};  ///< of the proof. Without bits none is made of the machine
+  std::vector<Damage> damage{};
+  std::string_view test{};  ///< "Suite.Test" if there is no proof
+};
+
 struct Feature {
   std::string_view name;
   std::string_view what;     ///< in messages: "questions count and next"
@@ -110,9 +123,12 @@ struct Feature {
   std::string_view c_constant{};
   int (*c_value)(const CoreOptions& options) = nullptr;
   CHeaderPart (*c_header)(const Core& core) = nullptr;
+  /// What the harness does for it: "float_door" is struct FloatDoor of rtl_gen/core/harness/float_door.hpp. The other one
+  /// stands in its place in a core without the feature.
+  std::string_view harness{}, harness_otherwise{};
   // For readers (docs/core.md, docs/formal.md).
   std::vector<Failure> failures{};
-  std::string_view proved{}, tested{};  ///< what proofs say of it, and what only tests do
+  std::vector<Promise> promises{};
 };
 
 /// Those of designs.cmake, the base core first. Each changes the plan that those before it have made.

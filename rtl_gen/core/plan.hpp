@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "hls/machines/record.hpp"
-#include "rtl_gen/catalogue/format.hpp"
+#include "host/format.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {

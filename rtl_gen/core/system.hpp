@@ -29,7 +29,7 @@ struct CoreScene {
 };
 
 /// The folder tb/MODULE_axi_harness: the files of rtl_gen/core/harness, which are the same for every core, and
-/// core.hpp, by which they know the core. The main function is in harness.cpp.
+/// core.hpp and features.hpp, by which they know the core. The main function is in harness.cpp.
 [[nodiscard]] std::vector<host::File> system_program(const Core& core);
 /// tb/MODULE_scene.txt
 [[nodiscard]] std::string scene_text(const Core& core, const CoreScene& scene);

@@ -8,8 +8,8 @@
 
 #include "host/files.hpp"
 #include "rtl_gen/emit/manifest.hpp"
+#include "rtl_gen/emit/unit.hpp"
 #include "rtl_gen/emit/vectors.hpp"
-#include "rtl_gen/part/unit.hpp"
 
 namespace hitpipe::rtl {
 

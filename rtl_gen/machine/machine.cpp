@@ -155,7 +155,7 @@ std::vector<std::string> verify(const MachineGraph& machine) {
 }
 
 Format Machine::parse_format(std::string_view text) const {
-  return rtl::parse_format(default_format.family(), text);
+  return hitpipe::parse_format(default_format.family(), text);
 }
 
 MachineGraph Machine::graph(const Format& format) const {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hls/machines/machine.hpp"
-#include "rtl_gen/catalogue/format.hpp"
+#include "host/format.hpp"
 #include "rtl_gen/graph/graph.hpp"
 
 namespace hitpipe::rtl {

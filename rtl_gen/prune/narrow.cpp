@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "rtl_gen/graph/rewrite.hpp"
 #include "rtl_gen/prune/facts.hpp"
 #include "rtl_gen/prune/prune.hpp"
 #include "rtl_gen/prune/report.hpp"
-#include "rtl_gen/prune/rewrite.hpp"
 
 namespace hitpipe::rtl {
 

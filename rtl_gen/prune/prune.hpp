@@ -1,13 +1,13 @@
 // Simplifies the graph of a design under demands. prune() runs these passes in this order, again and again
 // until none changes anything; canonical() after each removes what is no longer read:
-//   fold_constants       values with one possible pattern      rewrite.cpp
+//   fold_constants       values with one possible pattern      rules.cpp
 //   decide_comparisons   comparisons with one outcome
 //   simplify_muxes       multiplexers whose choice is known
 //   simplify_gates       gates with constant or equal operands
 //   simplify_arithmetic  sums and products that are wires
 //   narrow               values in the bits that they need     narrow.cpp
 //   narrow_units         the insides of float operators
-//   share                a op b and b op a                     rewrite.cpp
+//   share                a op b and b op a                     rules.cpp
 // and at the end, once, narrow_ports (narrow.cpp), which alone changes the interface.
 //
 // A pass makes a graph with the same inputs and outputs, and with the same values for operands that meet the

@@ -7,8 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/graph/rewrite.hpp"
 #include "rtl_gen/prune/facts.hpp"
-#include "rtl_gen/prune/rewrite.hpp"
 
 namespace hitpipe::rtl {
 

@@ -10,7 +10,7 @@
 
 #include "rtl_gen/component/product.hpp"
 #include "rtl_gen/graph/canonical.hpp"
-#include "rtl_gen/prune/rewrite.hpp"
+#include "rtl_gen/graph/rewrite.hpp"
 
 namespace hitpipe::rtl {
 

@@ -17,7 +17,7 @@ constexpr char test_kind = 'T';
 
 }  // namespace
 
-BoardLink::BoardLink(host::SerialPort& port, const rtl::Design& design, const rtl::Format& format,
+BoardLink::BoardLink(host::SerialPort& port, const rtl::Design& design, const Format& format,
                      const Patience& patience)
     : link_(port, patience),
       design_(design),

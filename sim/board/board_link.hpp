@@ -42,9 +42,9 @@ class BoardLink {
  public:
   using Patience = FrameLink::Patience;
 
-  BoardLink(host::SerialPort& port, const rtl::Design& design, const rtl::Format& format)
+  BoardLink(host::SerialPort& port, const rtl::Design& design, const Format& format)
       : BoardLink(port, design, format, Patience{}) {}
-  BoardLink(host::SerialPort& port, const rtl::Design& design, const rtl::Format& format,
+  BoardLink(host::SerialPort& port, const rtl::Design& design, const Format& format,
             const Patience& patience);
 
   /// What the board says that it is (rtl::board_identity). Throws std::runtime_error, one line, when nothing
@@ -59,7 +59,7 @@ class BoardLink {
  private:
   FrameLink link_;
   const rtl::Design& design_;
-  rtl::Format format_;
+  Format format_;
   std::vector<rtl::Port> operands_;
   std::vector<rtl::Port> results_;
   rtl::Verdict verdict_;

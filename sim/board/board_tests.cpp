@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "rays/exact/box_referee.hpp"
 #include "sim/cosim/walk.hpp"
-#include "sim/feeds/feed.hpp"
+#include "sim/software/feed.hpp"
 #include "sim/vectors/design_vectors.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {
 
@@ -39,7 +39,7 @@ struct BoardScene {
 template <class Walk>
 class SceneTests final : public BoardTests {
  public:
-  SceneTests(const rtl::Design& design, const rtl::Format& format, const BoardScene& scene,
+  SceneTests(const rtl::Design& design, const Format& format, const BoardScene& scene,
              std::unique_ptr<SceneFeed> feed, const Walk& walk)
       : scene_(scene),
         feed_(std::move(feed)),
@@ -114,12 +114,12 @@ class SceneTests final : public BoardTests {
 
 }  // namespace
 
-std::unique_ptr<BoardTests> drawn_tests(const rtl::Design& design, const rtl::Format& format,
-                                        std::size_t count, std::uint64_t seed) {
+std::unique_ptr<BoardTests> drawn_tests(const rtl::Design& design, const Format& format, std::size_t count,
+                                        std::uint64_t seed) {
   return std::make_unique<DrawnTests>(design_vectors(design, format, count, seed).all());
 }
 
-std::unique_ptr<BoardTests> scene_tests(const rtl::Design& design, const rtl::Format& format,
+std::unique_ptr<BoardTests> scene_tests(const rtl::Design& design, const Format& format,
                                         const ref::Scene& scene, const ref::Bvh& bvh,
                                         const SceneTestOptions& options) {
   std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh);

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "host/serial_port.hpp"
+#include "rays/image/core_image.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "sim/board/frame_link.hpp"
 #include "sim/core/core_bench.hpp"
-#include "sw_ref/core/core_image.hpp"
 
 namespace hitpipe::sim {
 

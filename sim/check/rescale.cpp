@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "rays/exact/triangle_test.hpp"
+#include "rays/scene/triangle_numbers.hpp"
+#include "rays/trace/tracer.hpp"
 #include "sim/cosim/cosim.hpp"
-#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
-#include "sw_ref/scene/triangle_numbers.hpp"
-#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::sim {
 

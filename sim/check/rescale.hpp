@@ -9,9 +9,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "rays/scene/scene.hpp"
+#include "rays/tree/bvh.hpp"
 #include "sim/unit/verilated_design.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::sim {
 

@@ -6,10 +6,10 @@
 
 #include "host/parallel.hpp"
 #include "host/per_thread.hpp"
+#include "rays/exact/box_referee.hpp"
+#include "rays/trace/slabs.hpp"
 #include "sim/cosim/walk.hpp"
-#include "sim/feeds/feed.hpp"
-#include "sw_ref/judge/box_referee.hpp"
-#include "sw_ref/trace/slabs.hpp"
+#include "sim/software/feed.hpp"
 #include "sw_ref/trace/traversal.hpp"
 
 namespace hitpipe::sim {
@@ -147,9 +147,8 @@ std::vector<StiffBoxes> over_all_kinds(const std::vector<StiffBoxes>& boxes) {
   return sums;
 }
 
-std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Format format,
-                                              const ref::Mesh& mesh, const ref::Bvh& bvh,
-                                              const StiffnessOptions& options) {
+std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, Format format, const ref::Mesh& mesh,
+                                              const ref::Bvh& bvh, const StiffnessOptions& options) {
   const std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh);
   const rtl::Evaluate evaluate = design.evaluate(format);
   const std::size_t ports = design.ports(format).size();

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "rays/tree/bvh.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "sim/check/box_test.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "sim/software/box_test.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 #include "sw_ref/judge/interval.hpp"
 
@@ -71,7 +71,7 @@ struct StiffTraversals {
 };
 
 /// Results by stiffness. Throws what make_feed() throws.
-[[nodiscard]] std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Format format,
+[[nodiscard]] std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, Format format,
                                                             const ref::Mesh& mesh, const ref::Bvh& bvh,
                                                             const StiffnessOptions& options);
 

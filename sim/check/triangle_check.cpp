@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "rays/world/crossing.hpp"
 #include "sim/check/shares.hpp"
 #include "sim/unit/drive.hpp"
-#include "sw_ref/world/crossing.hpp"
 
 namespace hitpipe::sim {
 

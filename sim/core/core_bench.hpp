@@ -13,16 +13,16 @@
 #include "hls/machines/channels.hpp"
 #include "hls/machines/failure.hpp"
 #include "hls/machines/weights.hpp"
+#include "rays/image/core_image.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/world/int_triangle.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "rtl_gen/machine/machine.hpp"
 #include "sim/core/line_bus.hpp"
 #include "sim/core/memory_model.hpp"
 #include "sim/core/port_places.hpp"
 #include "sim/core/ring_bus.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
-#include "sw_ref/scene/ray.hpp"
-#include "sw_ref/world/int_triangle.hpp"
 
 namespace hitpipe::sim {
 

@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "rays/scene/triangle_numbers.hpp"
+#include "rays/trace/int_tracer.hpp"
+#include "rays/trace/mesh_crossings.hpp"
+#include "rays/world/int_ray.hpp"
+#include "rays/world/int_triangle.hpp"
 #include "rtl_gen/graph/word.hpp"
-#include "sw_ref/scene/triangle_numbers.hpp"
-#include "sw_ref/world/int_ray.hpp"
-#include "sw_ref/world/int_tracer.hpp"
-#include "sw_ref/world/int_triangle.hpp"
-#include "sw_ref/world/mesh_crossings.hpp"
 
 namespace hitpipe::sim {
 

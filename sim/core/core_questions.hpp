@@ -1,4 +1,4 @@
-// The questions of a core that has count and next, against software (sw_ref/world/mesh_crossings.hpp): each ray asks for
+// The questions of a core that has count and next, against software (rays/trace/mesh_crossings.hpp): each ray asks for
 // its nearest hit and for any, counts its crossings, and walks through all of them, one after the other.
 #pragma once
 
@@ -6,9 +6,9 @@
 #include <functional>
 #include <span>
 
+#include "rays/mesh/ray.hpp"
+#include "rays/world/int_scene.hpp"
 #include "sim/core/core_bench.hpp"
-#include "sw_ref/scene/ray.hpp"
-#include "sw_ref/world/int_scene.hpp"
 
 namespace hitpipe::sim {
 

@@ -7,19 +7,19 @@
 #include <optional>
 #include <utility>
 
+#include "rays/image/core_image.hpp"
+#include "rays/scene/triangle_numbers.hpp"
+#include "rays/world/crossing.hpp"
+#include "rays/world/int_ray.hpp"
+#include "rays/world/int_scene.hpp"
 #include "rtl_gen/graph/word.hpp"
 #include "sim/core/core_bench.hpp"
 #include "sim/core/native_core.hpp"
 #include "sim/core/vector_scenes.hpp"
 #include "sim/vectors/design_vectors.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "sw_ref/core/core_tracer.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
-#include "sw_ref/scene/triangle_numbers.hpp"
-#include "sw_ref/world/crossing.hpp"
 #include "sw_ref/world/edge_lines.hpp"
-#include "sw_ref/world/int_ray.hpp"
-#include "sw_ref/world/int_scene.hpp"
 
 namespace hitpipe::sim {
 

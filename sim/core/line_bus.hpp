@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "rays/image/core_image.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "sim/core/memory_model.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 
 namespace hitpipe::sim {

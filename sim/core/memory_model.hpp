@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "rays/image/core_image.hpp"
 #include "sim/core/linked_queue.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 #include "sw_ref/memory/line_cache.hpp"
 

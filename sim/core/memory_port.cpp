@@ -10,10 +10,10 @@
 #include <fmt/ranges.h>
 
 #include "host/text.hpp"
+#include "rays/files/json_place.hpp"
+#include "rays/image/core_image.hpp"
 #include "rtl_gen/core/feature.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "sw_ref/memory/line_cache.hpp"
-#include "sw_ref/scene/json_place.hpp"
 
 namespace hitpipe::sim {
 

@@ -1,9 +1,10 @@
 #include "sim/core/picture_rays.hpp"
 
-#include "sw_ref/scene/triangle_numbers.hpp"
-#include "sw_ref/world/int_ray.hpp"
-#include "sw_ref/world/int_tracer.hpp"
-#include "sw_ref/world/int_triangle.hpp"
+#include "rays/scene/triangle_numbers.hpp"
+#include "rays/trace/int_tracer.hpp"
+#include "rays/world/int_ray.hpp"
+#include "rays/world/int_triangle.hpp"
+#include "sw_ref/render/int_surfaces.hpp"
 
 namespace hitpipe::sim {
 

@@ -9,11 +9,11 @@
 
 #include <glm/vec3.hpp>
 
+#include "rays/world/int_scene.hpp"
 #include "sim/core/core_bench.hpp"
 #include "sim/operands/ray_list.hpp"
 #include "sw_ref/core/core_tracer.hpp"
 #include "sw_ref/render/render.hpp"
-#include "sw_ref/world/int_scene.hpp"
 
 namespace hitpipe::sim {
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
+#include "rays/world/int_ray.hpp"
 #include "rtl_gen/graph/word.hpp"
 #include "sim/core/core_bench.hpp"
-#include "sw_ref/world/int_ray.hpp"
 
 namespace hitpipe::sim {
 

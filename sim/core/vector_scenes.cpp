@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hls/machines/block_kind.hpp"
+#include "rays/tree/refit.hpp"
 #include "rtl_gen/graph/word.hpp"
-#include "sw_ref/hierarchy/refit.hpp"
 
 namespace hitpipe::sim {
 

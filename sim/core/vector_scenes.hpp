@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <functional>
 
+#include "rays/image/core_image.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/world/int_scene.hpp"
 #include "rtl_gen/core/core.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
-#include "sw_ref/scene/ray.hpp"
-#include "sw_ref/scene/scene.hpp"
-#include "sw_ref/world/int_scene.hpp"
 
 namespace hitpipe::sim {
 

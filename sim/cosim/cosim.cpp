@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "host/parallel.hpp"
+#include "rays/exact/box_referee.hpp"
+#include "rays/trace/slabs.hpp"
 #include "sim/cosim/ray_source.hpp"
 #include "sim/cosim/ray_unit.hpp"
-#include "sim/feeds/step_feed.hpp"
+#include "sim/software/step_feed.hpp"
 #include "sim/unit/unit_set_up.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/quantise/guard.hpp"
-#include "sw_ref/trace/slabs.hpp"
 #include "sw_ref/trace/traversal.hpp"
 
 namespace hitpipe::sim {
@@ -40,7 +40,7 @@ class Part {
   CosimResult run() {
     CosimResult counts;
     const rtl::Design& design = *frame_.verilated.unit().design;
-    const rtl::Format& format = frame_.verilated.unit().format;
+    const Format& format = frame_.verilated.unit().format;
     RayUnit unit(
         {.verilated = &frame_.verilated,
          .evaluate = design.evaluate(format),

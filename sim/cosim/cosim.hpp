@@ -10,11 +10,11 @@
 
 #include <glm/vec3.hpp>
 
+#include "rays/trace/tracer.hpp"
 #include "sim/cosim/counts.hpp"
 #include "sim/operands/ray_list.hpp"
 #include "sw_ref/judge/interval.hpp"
 #include "sw_ref/render/whitted.hpp"
-#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 struct SceneDemands;

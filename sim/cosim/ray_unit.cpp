@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "rays/exact/box_referee.hpp"
 #include "sim/cosim/run_rays.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {
 

@@ -6,14 +6,14 @@
 #include <memory>
 #include <optional>
 
+#include "rays/mesh/mesh.hpp"
+#include "rays/tree/bvh.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/cosim/counts.hpp"
 #include "sim/cosim/station.hpp"
 #include "sim/cosim/walk.hpp"
-#include "sim/feeds/feed.hpp"
+#include "sim/software/feed.hpp"
 #include "sim/unit/verilated_design.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/scene/mesh.hpp"
 
 namespace hitpipe::sim {
 

@@ -8,9 +8,10 @@
 #include <cstdint>
 #include <span>
 
+#include "rays/trace/walk.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "sim/feeds/feed.hpp"
-#include "sw_ref/trace/walk.hpp"
+#include "sim/software/feed.hpp"
+#include "sim/software/place_of_result.hpp"
 
 namespace hitpipe::sim {
 
@@ -19,10 +20,6 @@ struct WalkScene {
   const ref::Bvh* bvh;
   const ref::Mesh* mesh;
 };
-
-/// The place of a result in a design's list. Throws std::runtime_error, one line, if it is not there.
-[[nodiscard]] std::size_t place_of_result(std::span<const hls::Result> results, hls::Meaning meaning,
-                                          int box);
 
 class OneBoxWalk {
  public:

@@ -9,12 +9,13 @@
 
 #include "hls/box/int_major_operands.hpp"
 #include "hls/box/int_major_pair_operands.hpp"
+#include "rays/trace/int_world.hpp"
+#include "rays/world/int_boxes.hpp"
+#include "rays/world/int_scene.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/cosim/walk.hpp"
 #include "sim/designs/major_design.hpp"
-#include "sim/feeds/set_up_feed.hpp"
-#include "sw_ref/world/int_scene.hpp"
-#include "sw_ref/world/int_world.hpp"
+#include "sim/designs/set_up_feed.hpp"
 
 namespace hitpipe::sim {
 

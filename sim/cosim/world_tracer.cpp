@@ -13,14 +13,14 @@
 #include <fmt/format.h>
 
 #include "host/per_thread.hpp"
+#include "rays/trace/int_tracer.hpp"
+#include "rays/trace/leaf_test.hpp"
 #include "sim/cosim/counts.hpp"
 #include "sim/cosim/divider_station.hpp"
 #include "sim/cosim/run_rays.hpp"
 #include "sim/cosim/station.hpp"
 #include "sim/cosim/world_boxes.hpp"
-#include "sim/software.hpp"
-#include "sw_ref/trace/leaf_test.hpp"
-#include "sw_ref/world/int_tracer.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim {
 
@@ -197,7 +197,7 @@ inline std::unique_ptr<Stations> make_stations(const WorldBoxes& world, const Wo
 inline hls::MajorBits box_format(const ref::IntScene& scene, const VerilatedDesign& boxes) {
   const rtl::Unit& unit = boxes.unit();
   if (!(unit.design->kind == hls::box_kind || unit.design->kind == hls::pair_kind) ||
-      &unit.format.family() != &rtl::Format(hls::MajorBits{}).family())
+      &unit.format.family() != &Format(hls::MajorBits{}).family())
     throw std::runtime_error(
         fmt::format("design {}: no unit for boxes of the integer world", unit.design->name));
   const auto bits = unit.format.as<hls::MajorBits>();
@@ -206,7 +206,7 @@ inline hls::MajorBits box_format(const ref::IntScene& scene, const VerilatedDesi
       bits.fraction > world.finer + world.fraction)
     throw std::runtime_error(fmt::format(
         "boxes of {} for triangles of {}: n, g and S must be equal, and the f of boxes at most g + t",
-        rtl::to_string(unit.format), rtl::to_string(rtl::Format(world))));
+        to_string(unit.format), to_string(Format(world))));
   return bits;
 }
 

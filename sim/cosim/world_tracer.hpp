@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "sim/check/triangle_test.hpp"
+#include "rays/trace/tracer.hpp"
+#include "rays/world/int_scene.hpp"
 #include "sim/cosim/counts.hpp"
+#include "sim/software/triangle_test.hpp"
 #include "sim/unit/verilated_design.hpp"
-#include "sw_ref/trace/tracer.hpp"
-#include "sw_ref/world/int_scene.hpp"
 
 namespace hitpipe::sim {
 

@@ -1,6 +1,6 @@
 #include "sim/designs/fp_design.hpp"
 
-#include "sim/fit/port_ranges.hpp"
+#include "sim/designs/port_ranges.hpp"
 
 namespace hitpipe::sim {
 
@@ -8,7 +8,7 @@ namespace {
 
 using hls::Role;
 
-std::optional<SceneDemand> fp_demand(const rtl::Port& port, const rtl::Format& /*binary32*/,
+std::optional<SceneDemand> fp_demand(const rtl::Port& port, const Format& /*binary32*/,
                                      const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
   const int axis = rtl::axis_of(port);
   Range range;

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "hls/box/fp_plucker_operands.hpp"
+#include "sim/designs/float_patterns.hpp"
 #include "sim/designs/fp_design.hpp"
-#include "sim/feeds/float_patterns.hpp"
-#include "sim/feeds/set_up_feed.hpp"
+#include "sim/designs/set_up_feed.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
 #include "sw_ref/trace/plucker.hpp"
 #include "sw_ref/trace/store_tracer.hpp"
@@ -19,9 +19,9 @@ class FpPluckerSetup {
   using Bits = hls::Binary32;
   using Operands = hls::FpPluckerOperands<Words, Bits>;
 
-  FpPluckerSetup(const ref::Ray& ray, const rtl::Format& /*binary32*/) : ray_(ray) {}
+  FpPluckerSetup(const ref::Ray& ray, const Format& /*binary32*/) : ray_(ray) {}
 
-  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& /*binary32*/, std::span<Box> out) {
+  static void boxes(std::span<const ref::Aabb> boxes, const Format& /*binary32*/, std::span<Box> out) {
     std::transform(boxes.begin(), boxes.end(), out.begin(), [](const ref::Aabb& box) { return Box(box); });
   }
   void fill(float length, Operands& in) const {
@@ -42,7 +42,7 @@ std::unique_ptr<ref::Tracer> fp_plucker_tracer(const TracedUnit& unit, const ref
                            ref::Leaves(mesh, bvh), {.ends = unit.ends});
 }
 
-ref::TracerOptions fp_plucker_named(const rtl::Format& /*binary32*/) {
+ref::TracerOptions fp_plucker_named(const Format& /*binary32*/) {
   return {.algorithm = ref::Algorithm::plu_dsa, .arithmetic = ref::Arithmetic::binary32};
 }
 
@@ -54,7 +54,7 @@ Software fp_plucker_software() {
   software.box_test = set_up_test<FpPluckerSetup>;
   software.tracer = fp_plucker_tracer;
   software.named_tracer = fp_plucker_named;
-  software.divisions = [](const rtl::Format& /*binary32*/) { return area::Divisions{}; };
+  software.divisions = [](const Format& /*binary32*/) { return area::Divisions{}; };
   return software;
 }
 

@@ -1,5 +1,5 @@
 // fp_plucker_direct has the operands and the answers of fp_plucker.
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim {
 

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "hls/box/fp_slabs_operands.hpp"
+#include "rays/trace/slabs.hpp"
+#include "sim/designs/float_patterns.hpp"
 #include "sim/designs/fp_design.hpp"
-#include "sim/feeds/float_patterns.hpp"
-#include "sim/feeds/set_up_feed.hpp"
+#include "sim/designs/set_up_feed.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
-#include "sw_ref/trace/slabs.hpp"
 #include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::sim {
@@ -20,10 +20,10 @@ class FpSlabsSetup {
   using Bits = hls::Binary32;
   using Operands = hls::FpSlabsOperands<Words, Bits>;
 
-  FpSlabsSetup(const ref::Ray& ray, const rtl::Format& /*binary32*/)
+  FpSlabsSetup(const ref::Ray& ray, const Format& /*binary32*/)
       : origin_(patterns(ray.origin)), irdvc_(patterns(ref::float_irdvc(ray.direction))) {}
 
-  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& /*binary32*/, std::span<Box> out) {
+  static void boxes(std::span<const ref::Aabb> boxes, const Format& /*binary32*/, std::span<Box> out) {
     std::transform(boxes.begin(), boxes.end(), out.begin(), [](const ref::Aabb& box) { return Box(box); });
   }
   void fill(float length, Operands& in) const {
@@ -44,12 +44,12 @@ std::unique_ptr<ref::Tracer> fp_slabs_tracer(const TracedUnit& unit, const ref::
                            {.ends = unit.ends});
 }
 
-ref::TracerOptions fp_slabs_named(const rtl::Format& /*binary32*/) {
+ref::TracerOptions fp_slabs_named(const Format& /*binary32*/) {
   return {.algorithm = ref::Algorithm::slabs_dsa, .arithmetic = ref::Arithmetic::binary32};
 }
 
 /// Mantissas, with a bit to round.
-area::Divisions fp_slabs_divisions(const rtl::Format& /*binary32*/) {
+area::Divisions fp_slabs_divisions(const Format& /*binary32*/) {
   return {.count = 3, .quotient_bits = 25};
 }
 

@@ -6,9 +6,9 @@
 
 #include "hls/box/fp_format.hpp"
 #include "hls/box/fp_slabs_safe_operands.hpp"
-#include "sim/feeds/set_up_feed.hpp"
-#include "sim/fit/port_ranges.hpp"
-#include "sim/software.hpp"
+#include "sim/designs/port_ranges.hpp"
+#include "sim/designs/set_up_feed.hpp"
+#include "sim/software/software.hpp"
 #include "sw_ref/hierarchy/fp_nodes.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
@@ -29,7 +29,7 @@ class FpSlabsSafeSetup {
   using Bits = FpBits;
   using Operands = hls::FpSlabsSafeOperands<Words, Bits>;
 
-  FpSlabsSafeSetup(const ref::Ray& ray, const rtl::Format& format)
+  FpSlabsSafeSetup(const ref::Ray& ray, const Format& format)
       : bits_(format.as<FpBits>()), set_up_(ray, bits_) {
     for (std::size_t i = 0; i < 3; ++i) {
       origin_low_[i] = ref::fp_pattern(set_up_.ray().origin_low[i], bits_);
@@ -37,7 +37,7 @@ class FpSlabsSafeSetup {
     }
   }
 
-  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
+  static void boxes(std::span<const ref::Aabb> boxes, const Format& format, std::span<Box> out) {
     const auto bits = format.as<FpBits>();
     const ref::FpRounding rounding(bits);
     std::transform(boxes.begin(), boxes.end(), out.begin(), [&](const ref::Aabb& box) {
@@ -76,23 +76,23 @@ std::unique_ptr<ref::Tracer> fp_slabs_safe_tracer(const TracedUnit& unit, const 
                            {.ends = unit.ends});
 }
 
-std::vector<rtl::Format> fp_slabs_safe_sweep_formats() {
+std::vector<Format> fp_slabs_safe_sweep_formats() {
   return {FpBits{5, 7},  FpBits{5, 10}, FpBits{8, 7},  FpBits{6, 13},
           FpBits{8, 11}, FpBits{8, 15}, FpBits{8, 19}, FpBits{8, 23}};
 }
 
 /// Groups by M; in each group sorted by E.
-std::vector<std::vector<rtl::Format>> fp_slabs_safe_smaller_formats(const rtl::Format& most) {
+std::vector<std::vector<Format>> fp_slabs_safe_smaller_formats(const Format& most) {
   const auto bits = most.as<FpBits>();
-  std::vector<std::vector<rtl::Format>> groups;
+  std::vector<std::vector<Format>> groups;
   for (int m = std::min(4, bits.fraction); m <= bits.fraction; ++m) {
-    std::vector<rtl::Format>& group = groups.emplace_back();
+    std::vector<Format>& group = groups.emplace_back();
     for (int e = std::min(3, bits.exponent); e <= bits.exponent; ++e) group.push_back(FpBits{e, m});
   }
   return groups;
 }
 
-std::optional<SceneDemand> fp_slabs_safe_demand(const rtl::Port& port, const rtl::Format& format,
+std::optional<SceneDemand> fp_slabs_safe_demand(const rtl::Port& port, const Format& format,
                                                 const ref::SceneDemands& scene,
                                                 const ref::CoarseAxes& /*none*/) {
   const auto bits = format.as<FpBits>();
@@ -115,7 +115,7 @@ std::optional<SceneDemand> fp_slabs_safe_demand(const rtl::Port& port, const rtl
 }
 
 /// A mantissa with its leading one, and the remainder that says whether it is exact.
-area::Divisions fp_slabs_safe_divisions(const rtl::Format& format) {
+area::Divisions fp_slabs_safe_divisions(const Format& format) {
   return {.count = 3, .quotient_bits = format.as<hls::FpBits>().fraction + 2};
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "sim/fit/port_ranges.hpp"
+#include "rays/world/int_box.hpp"
+#include "sim/designs/port_ranges.hpp"
 #include "sw_ref/hierarchy/int_nodes.hpp"
-#include "sw_ref/quantise/int_box.hpp"
 
 namespace hitpipe::sim {
 
@@ -18,7 +18,7 @@ std::optional<SceneDemand> demanded(const Range& range, int spare_bits = 0) {
   return SceneDemand{{*range}, spare_bits};
 }
 
-std::optional<SceneDemand> int_demand(const rtl::Port& port, const rtl::Format& format,
+std::optional<SceneDemand> int_demand(const rtl::Port& port, const Format& format,
                                       const ref::SceneDemands& scene, const ref::CoarseAxes& coarse) {
   // The margin of the cube leaves one bit of every coordinate unused, in every scene.
   constexpr int spare = 1;
@@ -42,8 +42,7 @@ std::optional<SceneDemand> int_demand(const rtl::Port& port, const rtl::Format& 
   }
 }
 
-bool int_fits_coarse(const rtl::Format& format, const ref::SceneDemands& scene,
-                     const ref::CoarseAxes& coarse) {
+bool int_fits_coarse(const Format& format, const ref::SceneDemands& scene, const ref::CoarseAxes& coarse) {
   const int n = format.as<IntBits>().coord;
   ref::IntOrigin lowest{};
   for (int axis = 0; axis < 3; ++axis)
@@ -52,11 +51,11 @@ bool int_fits_coarse(const rtl::Format& format, const ref::SceneDemands& scene,
 }
 
 /// Groups by n; in each group sorted by t.
-std::vector<std::vector<rtl::Format>> int_smaller_formats(const rtl::Format& most) {
+std::vector<std::vector<Format>> int_smaller_formats(const Format& most) {
   const auto [coord, interval] = most.as<IntBits>();
-  std::vector<std::vector<rtl::Format>> groups;
+  std::vector<std::vector<Format>> groups;
   for (int n = IntBits::min_coord; n <= coord; ++n) {
-    std::vector<rtl::Format>& group = groups.emplace_back();
+    std::vector<Format>& group = groups.emplace_back();
     for (int t = IntBits::min_interval; t <= std::min(interval, IntBits{n, 0}.product()); ++t)
       group.push_back(IntBits{n, t});
   }
@@ -65,8 +64,8 @@ std::vector<std::vector<rtl::Format>> int_smaller_formats(const rtl::Format& mos
 
 /// n = 8, 12, .. 32, each with t = n, n + 4, n + 8, cut to the 2n - 1 bits of a product. These include all
 /// formats of Tables 6.2 to 6.7.
-std::vector<rtl::Format> int_sweep_formats() {
-  std::vector<rtl::Format> formats;
+std::vector<Format> int_sweep_formats() {
+  std::vector<Format> formats;
   for (int n = 8; n <= IntBits::max_coord; n += 4) {
     for (int t = n; t <= n + 8; t += 4) formats.push_back(IntBits{n, std::min(t, IntBits{n, t}.product())});
   }

@@ -2,7 +2,7 @@
 // operands, by role.
 #pragma once
 
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim {
 

@@ -1,8 +1,8 @@
 // The operands of hls::IntMajorOperands (docs/never_misses.md).
-#include "sw_ref/trace/int_major.hpp"
+#include "rays/trace/int_major.hpp"
 
 #include "sim/designs/major_design.hpp"
-#include "sim/feeds/set_up_feed.hpp"
+#include "sim/designs/set_up_feed.hpp"
 #include "sw_ref/hierarchy/int_nodes.hpp"
 #include "sw_ref/trace/store_tracer.hpp"
 
@@ -18,14 +18,14 @@ class IntMajorSetup {
   using Bits = MajorBits;
   using Operands = hls::IntMajorOperands<Words, Bits>;
 
-  IntMajorSetup(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<MajorBits>()) {}
+  IntMajorSetup(const ref::Ray& ray, const Format& format) : set_up_(ray, format.as<MajorBits>()) {}
 
-  static bool meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, const rtl::Format& format,
+  static bool meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, const Format& format,
                    std::span<bool> out) {
     return integer_meet(ray, boxes, format, out);
   }
 
-  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
+  static void boxes(std::span<const ref::Aabb> boxes, const Format& format, std::span<Box> out) {
     major_boxes(boxes, format, out);
   }
   void fill(float length, Operands& in) const {
@@ -44,7 +44,7 @@ std::unique_ptr<ref::Tracer> int_major_tracer(const TracedUnit& unit, const ref:
                            ref::Leaves(mesh, bvh), {.ends = unit.ends});
 }
 
-std::unique_ptr<SceneFeed> int_major_feed(const rtl::Format& format, const ref::Bvh& bvh) {
+std::unique_ptr<SceneFeed> int_major_feed(const Format& format, const ref::Bvh& bvh) {
   return set_up_feed<IntMajorSetup>(float_world(format), bvh);
 }
 

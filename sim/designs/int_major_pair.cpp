@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "hls/box/int_major_pair_operands.hpp"
-#include "sim/cosim/walk.hpp"
+#include "rays/world/pair_nodes.hpp"
 #include "sim/designs/major_design.hpp"
-#include "sim/feeds/set_up_feed.hpp"
-#include "sw_ref/hierarchy/pair_nodes.hpp"
+#include "sim/designs/set_up_feed.hpp"
+#include "sim/software/place_of_result.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 
 namespace hitpipe::sim {
@@ -82,7 +82,7 @@ class PairScene final : public SceneFeed {
   std::vector<ref::PairBoxes> boxes_;  ///< by record of ref::BvhPairs
 };
 
-std::unique_ptr<SceneFeed> pair_feed(const rtl::Format& format, const ref::Bvh& bvh) {
+std::unique_ptr<SceneFeed> pair_feed(const Format& format, const ref::Bvh& bvh) {
   return std::make_unique<PairScene>(float_world(format), bvh);
 }
 
@@ -91,7 +91,7 @@ std::unique_ptr<SceneFeed> pair_feed(const rtl::Format& format, const ref::Bvh& 
 /// would a root. The answer does not depend on the sibling.
 class PairTest final : public BoxTest {
  public:
-  PairTest(const rtl::Design& design, const rtl::Format& format)
+  PairTest(const rtl::Design& design, const Format& format)
       : evaluate_(design.evaluate(format)),
         format_(format),
         limit_(format.as<MajorBits>().largest_plane()),
@@ -163,7 +163,7 @@ class PairTest final : public BoxTest {
   }
 
   rtl::Evaluate evaluate_;
-  rtl::Format format_;
+  Format format_;
   std::int64_t limit_;  ///< of a plane
   Ports ports_;
   std::vector<std::int64_t> operands_;
@@ -175,7 +175,7 @@ class PairTest final : public BoxTest {
   std::int64_t length_ = 0;
 };
 
-std::unique_ptr<BoxTest> pair_test(const rtl::Design& design, const rtl::Format& format) {
+std::unique_ptr<BoxTest> pair_test(const rtl::Design& design, const Format& format) {
   return std::make_unique<PairTest>(design, format);
 }
 
@@ -184,12 +184,12 @@ std::unique_ptr<ref::Tracer> int_major_pair_tracer(const TracedUnit& unit, const
   return ref::major_pair_tracer(float_world(unit.format), mesh, bvh);
 }
 
-std::size_t pair_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& /*none*/) {
+std::size_t pair_bytes_per_node(const Format& format, const ref::CoarseAxes& /*none*/) {
   // A record is for two nodes.
   return (ref::PairNodes::record_bytes(format.as<MajorBits>().coord) + 1) / 2;
 }
 
-NodeRecords pair_records(const rtl::Format& format, const ref::Bvh& bvh) {
+NodeRecords pair_records(const Format& format, const ref::Bvh& bvh) {
   const MajorBits bits = float_world(format);
   const ref::PairNodes records(bvh, bits.coord, bits.finer);
   return {records.bytes_per_record, {records.bytes().begin(), records.bytes().end()}};

@@ -2,10 +2,10 @@
 #include "sw_ref/trace/int_plucker.hpp"
 
 #include "hls/box/int_plucker_operands.hpp"
+#include "rays/world/int_box.hpp"
 #include "sim/designs/int_design.hpp"
-#include "sim/feeds/set_up_feed.hpp"
+#include "sim/designs/set_up_feed.hpp"
 #include "sw_ref/hierarchy/int_nodes.hpp"
-#include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/trace/store_tracer.hpp"
 
@@ -19,9 +19,9 @@ class IntPluckerSetup {
   using Bits = hls::IntBits;
   using Operands = hls::IntPluckerOperands<Words, Bits>;
 
-  IntPluckerSetup(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
+  IntPluckerSetup(const ref::Ray& ray, const Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
 
-  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
+  static void boxes(std::span<const ref::Aabb> boxes, const Format& format, std::span<Box> out) {
     ref::quantise_boxes(boxes, format.as<hls::IntBits>().coord, out);
   }
   void fill(float length, Operands& in) const {
@@ -45,14 +45,14 @@ std::unique_ptr<ref::Tracer> int_plucker_tracer(const TracedUnit& unit, const re
                            {.ends = unit.ends});
 }
 
-ref::TracerOptions int_plucker_named(const rtl::Format& format) {
+ref::TracerOptions int_plucker_named(const Format& format) {
   return {.algorithm = ref::Algorithm::plu_dsa,
           .arithmetic = ref::Arithmetic::integer,
           .bits = format.as<hls::IntBits>()};
 }
 
 /// The largest component of the direction is the limit itself.
-area::Divisions int_plucker_divisions(const rtl::Format& format) {
+area::Divisions int_plucker_divisions(const Format& format) {
   return {.count = 2, .quotient_bits = format.as<hls::IntBits>().coord};
 }
 

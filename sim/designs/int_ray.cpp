@@ -1,5 +1,5 @@
 // The unit that makes integer rays tests no boxes (docs/integer_world.md).
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim {
 

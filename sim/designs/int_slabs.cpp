@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "hls/box/int_slabs_operands.hpp"
+#include "rays/world/int_box.hpp"
 #include "sim/designs/int_design.hpp"
-#include "sim/feeds/set_up_feed.hpp"
+#include "sim/designs/set_up_feed.hpp"
 #include "sw_ref/hierarchy/int_nodes.hpp"
-#include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "sw_ref/trace/store_tracer.hpp"
 
@@ -21,9 +21,9 @@ class IntSlabsSetup {
   using Bits = hls::IntBits;
   using Operands = hls::IntSlabsOperands<Words, Bits>;
 
-  IntSlabsSetup(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
+  IntSlabsSetup(const ref::Ray& ray, const Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
 
-  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
+  static void boxes(std::span<const ref::Aabb> boxes, const Format& format, std::span<Box> out) {
     ref::quantise_boxes(boxes, format.as<hls::IntBits>().coord, out);
   }
   void fill(float length, Operands& in) const {
@@ -47,13 +47,13 @@ std::unique_ptr<ref::Tracer> int_slabs_tracer(const TracedUnit& unit, const ref:
                            {.ends = unit.ends});
 }
 
-ref::TracerOptions int_slabs_named(const rtl::Format& format) {
+ref::TracerOptions int_slabs_named(const Format& format) {
   return {.algorithm = ref::Algorithm::slabs_dsa,
           .arithmetic = ref::Arithmetic::integer,
           .bits = format.as<hls::IntBits>()};
 }
 
-area::Divisions int_slabs_divisions(const rtl::Format& format) {
+area::Divisions int_slabs_divisions(const Format& format) {
   return {.count = 3, .quotient_bits = format.as<hls::IntBits>().coord - 1};
 }
 

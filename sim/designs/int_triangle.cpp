@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "hls/world/triangle_operands.hpp"
-#include "sim/check/triangle_test.hpp"
-#include "sim/cosim/walk.hpp"
-#include "sim/feeds/set_up_feed.hpp"
-#include "sim/software.hpp"
-#include "sw_ref/world/int128.hpp"
+#include "rays/world/int128.hpp"
+#include "sim/designs/set_up_feed.hpp"
+#include "sim/software/place_of_result.hpp"
+#include "sim/software/software.hpp"
+#include "sim/software/triangle_test.hpp"
 
 namespace hitpipe::sim {
 
@@ -41,7 +41,7 @@ class IntTriangleTest final : public TriangleTest {
   using Operands = hls::TriangleOperands<Words, WorldBits>;
 
  public:
-  IntTriangleTest(const rtl::Design& design, const rtl::Format& format)
+  IntTriangleTest(const rtl::Design& design, const Format& format)
       : IntTriangleTest(design, format, design.results(format)) {}
 
   [[nodiscard]] const WorldBits& world() const override { return world_; }
@@ -101,7 +101,7 @@ class IntTriangleTest final : public TriangleTest {
   [[nodiscard]] const rtl::Evaluate& evaluate() const override { return evaluate_; }
 
  private:
-  IntTriangleTest(const rtl::Design& design, const rtl::Format& format, std::span<const hls::Result> results)
+  IntTriangleTest(const rtl::Design& design, const Format& format, std::span<const hls::Result> results)
       : world_(format.as<WorldBits>()),
         evaluate_(design.evaluate(format)),
         det_(results, Meaning::determinant, Meaning::determinant_low),
@@ -125,7 +125,7 @@ class IntTriangleTest final : public TriangleTest {
   std::int64_t length_ = 0;
 };
 
-std::unique_ptr<TriangleTest> int_triangle_test(const rtl::Design& design, const rtl::Format& format) {
+std::unique_ptr<TriangleTest> int_triangle_test(const rtl::Design& design, const Format& format) {
   return std::make_unique<IntTriangleTest>(design, format);
 }
 

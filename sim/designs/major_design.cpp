@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "sim/feeds/set_up_feed.hpp"
-#include "sim/fit/port_ranges.hpp"
+#include "rays/exact/grid.hpp"
+#include "rays/world/int_meets.hpp"
+#include "rays/world/int_ray.hpp"
+#include "rays/world/ray_check.hpp"
+#include "sim/designs/port_ranges.hpp"
+#include "sim/designs/set_up_feed.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
-#include "sw_ref/quantise/grid.hpp"
-#include "sw_ref/quantise/ray_check.hpp"
-#include "sw_ref/world/int_meets.hpp"
-#include "sw_ref/world/int_ray.hpp"
 
 namespace hitpipe::sim {
 
@@ -28,18 +28,18 @@ hls::WorldBits world_of(const MajorBits& bits) {
 }
 
 /// From few bits to many, and around the default.
-std::vector<rtl::Format> major_sweep_formats() {
+std::vector<Format> major_sweep_formats() {
   return {MajorBits{12, 1, 9},  MajorBits{16, 1, 11}, MajorBits{18, 1, 12}, MajorBits{20, 0, 13},
           MajorBits{20, 1, 11}, MajorBits{20, 1, 13}, MajorBits{20, 2, 13}, MajorBits{24, 1, 16}};
 }
 
 /// n from the least on, each with g = 0 .. most and every mantissa up to the most.
-std::vector<std::vector<rtl::Format>> major_smaller_formats(const rtl::Format& most) {
+std::vector<std::vector<Format>> major_smaller_formats(const Format& most) {
   const auto bits = most.as<MajorBits>();
-  std::vector<std::vector<rtl::Format>> groups;
+  std::vector<std::vector<Format>> groups;
   for (int n = MajorBits::min_coord; n <= bits.coord; ++n) {
     for (int finer = 0; finer <= bits.finer; ++finer) {
-      std::vector<rtl::Format>& group = groups.emplace_back();
+      std::vector<Format>& group = groups.emplace_back();
       for (int mantissa = MajorBits::min_mantissa; mantissa <= bits.mantissa; ++mantissa)
         if (const MajorBits each{n, finer, mantissa, bits.fraction}; each.valid()) group.push_back(each);
       if (group.empty()) groups.pop_back();
@@ -112,7 +112,7 @@ std::size_t ray_axis_of(const rtl::Port& port, const MajorBits& bits) {
   return static_cast<std::size_t>(found);
 }
 
-std::optional<SceneDemand> major_demand(const rtl::Port& port, const rtl::Format& format,
+std::optional<SceneDemand> major_demand(const rtl::Port& port, const Format& format,
                                         const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
   // The margin of the cube leaves one bit of every coordinate unused, in every scene.
   constexpr int spare = 1;
@@ -178,7 +178,7 @@ std::int64_t MajorSetup::length(float length) const {
   return ref::length_along_major(length, major_, bits_.coord, bits_.fraction, bits_.largest_length());
 }
 
-void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<ref::IntBox> out) {
+void major_boxes(std::span<const ref::Aabb> boxes, const Format& format, std::span<ref::IntBox> out) {
   const auto bits = format.as<MajorBits>();
   if (bits.slope == 0) {
     ref::quantise_boxes(boxes, bits.coord, out, bits.finer);
@@ -193,7 +193,7 @@ void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, st
   }
 }
 
-bool integer_meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, const rtl::Format& format,
+bool integer_meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, const Format& format,
                   std::span<bool> out) {
   const auto bits = format.as<MajorBits>();
   if (bits.slope == 0) return false;
@@ -205,7 +205,7 @@ bool integer_meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, const r
   return true;
 }
 
-MajorBits float_world(const rtl::Format& format) {
+MajorBits float_world(const Format& format) {
   const auto bits = format.as<MajorBits>();
   if (bits.slope > 0)
     throw std::runtime_error(fmt::format(
@@ -217,7 +217,7 @@ MajorBits float_world(const rtl::Format& format) {
 namespace {
 
 /// In the integer world the slopes are quotients too, and mantissas are of the slopes.
-area::Divisions major_divisions(const rtl::Format& format) {
+area::Divisions major_divisions(const Format& format) {
   const auto bits = format.as<hls::MajorBits>();
   return {.count = bits.slope > 0 ? 4 : 2, .quotient_bits = std::max(bits.mantissa, bits.slope)};
 }

@@ -8,13 +8,13 @@
 #include "hls/box/int_major_operands.hpp"
 #include "hls/box/int_major_pair_operands.hpp"
 #include "hls/box/major_format.hpp"
-#include "sim/feeds/set_up_feed.hpp"
-#include "sim/software.hpp"
-#include "sw_ref/hierarchy/pair_nodes.hpp"
-#include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/quantise/int_major_ray.hpp"
-#include "sw_ref/scene/aabb.hpp"
-#include "sw_ref/scene/ray.hpp"
+#include "rays/mesh/aabb.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/world/int_box.hpp"
+#include "rays/world/int_major_ray.hpp"
+#include "rays/world/pair_nodes.hpp"
+#include "sim/designs/set_up_feed.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim {
 
@@ -41,13 +41,13 @@ class MajorSetup {
 };
 
 /// Boxes as a unit of this format reads them: grown, or in the integer world rounded to the nearest integers.
-void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<ref::IntBox> out);
+void major_boxes(std::span<const ref::Aabb> boxes, const Format& format, std::span<ref::IntBox> out);
 /// What is true of a ray and boxes in the integer world. False: the format is of the float world.
-bool integer_meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, const rtl::Format& format,
+bool integer_meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, const Format& format,
                   std::span<bool> out);
 /// Throws std::runtime_error, one line, for a format of the integer world: a scene of floats cannot be traced
 /// there.
-[[nodiscard]] hls::MajorBits float_world(const rtl::Format& format);
+[[nodiscard]] hls::MajorBits float_world(const Format& format);
 
 /// The software of a design without its own set-up: feed, box_test and tracer are missing.
 [[nodiscard]] Software major_design_software();

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "area_model/core_price.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/tree/load_bvh.hpp"
+#include "rays/world/int_scene.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "sim/core/memory_port.hpp"
 #include "sim/core/picture_rays.hpp"
-#include "sw_ref/hierarchy/load_bvh.hpp"
 #include "sw_ref/judge/interval.hpp"
-#include "sw_ref/scene/scene.hpp"
-#include "sw_ref/world/int_scene.hpp"
 
 namespace hitpipe::sim {
 

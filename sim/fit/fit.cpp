@@ -10,7 +10,7 @@
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/facts.hpp"
 #include "rtl_gen/prune/prune.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim {
 
@@ -18,7 +18,7 @@ namespace {
 
 struct Cutter {
   const rtl::Design& design;
-  rtl::Format format;
+  Format format;
   const rtl::Library& library;
   rtl::Graph traced;
   rtl::Demands set_up;
@@ -155,10 +155,9 @@ std::vector<DemandGroup> worth_using(const std::vector<DemandGroup>& groups, con
 
 }  // namespace
 
-FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
-               const std::optional<Precision>& precision, const ref::SceneDemands& scene,
-               const rtl::Library& library, const FitRate& rate) {
-  const rtl::Format format = precision ? precision->format : before;
+FittedUnit fit(const rtl::Design& design, const Format& before, const std::optional<Precision>& precision,
+               const ref::SceneDemands& scene, const rtl::Library& library, const FitRate& rate) {
+  const Format format = precision ? precision->format : before;
   const Cutter cutter{
       design, format, library, design.trace(format), rtl::set_up_demands(design.ports(format)), rate};
   const std::vector<DemandGroup> all = port_demands(design, format, scene, precision);
@@ -170,7 +169,7 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
   if (!cutter.is_reached_by(price))
     throw std::runtime_error(
         fmt::format("{} {}: {} million boxes a second are asked for; it takes {} million at most",
-                    design.name, rtl::to_string(format), millions(rate.boxes_per_second),
+                    design.name, to_string(format), millions(rate.boxes_per_second),
                     millions(static_cast<double>(price.boxes_per_second()))));
   rtl::Pipeline pipeline = cutter.pipeline(pruned.graph, interval);
   FittedUnit unit{
@@ -184,7 +183,7 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
   if (unit.format != before) {
     const area::Price whole = area::price(design, unit.format, library, area::Account::built);
     unit.left_out.push_back(
-        {fmt::format("bits: {} instead of {}", rtl::to_string(unit.format), rtl::to_string(before)),
+        {fmt::format("bits: {} instead of {}", to_string(unit.format), to_string(before)),
          fmt::format(
              "{:.2f} % extra box tests and {:.2f} % extra triangle tests, measured on the scene's rays",
              precision->extra_box_tests_pct, precision->extra_triangle_tests_pct),
@@ -210,7 +209,7 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
 std::optional<area::Price> price_of_fit(const rtl::Design& design, const Precision& precision,
                                         const ref::SceneDemands& scene, const rtl::Library& library,
                                         const FitRate& rate) {
-  const rtl::Format& format = precision.format;
+  const Format& format = precision.format;
   const Cutter cutter{
       design, format, library, design.trace(format), rtl::set_up_demands(design.ports(format)), rate};
   const area::Price price = cutter.smallest(port_demands(design, format, scene, precision));

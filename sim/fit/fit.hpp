@@ -8,7 +8,7 @@
 
 #include "area_model/price.hpp"
 #include "rtl_gen/emit/files.hpp"
-#include "rtl_gen/part/unit.hpp"
+#include "rtl_gen/emit/unit.hpp"
 #include "sim/fit/port_demands.hpp"
 #include "sim/fit/precision.hpp"
 
@@ -30,7 +30,7 @@ struct FitRate {
 
 /// A unit without demands is the whole design at another format.
 struct FittedUnit : rtl::Unit {
-  rtl::Format before;
+  Format before;
   std::optional<Precision> precision;  ///< only when it was searched for and found
   area::Price price_before;            ///< of the whole design at `before`, account `built`
   area::Price price;
@@ -41,7 +41,7 @@ struct FittedUnit : rtl::Unit {
 
 /// Made at the format of `precision`, or at `before` if there is no precision. Throws std::runtime_error, one
 /// line, for a rate that a unit with a test in each cycle does not reach.
-[[nodiscard]] FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
+[[nodiscard]] FittedUnit fit(const rtl::Design& design, const Format& before,
                              const std::optional<Precision>& precision, const ref::SceneDemands& scene,
                              const rtl::Library& library, const FitRate& rate = {});
 

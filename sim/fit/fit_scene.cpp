@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/emit/unit_folder.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim {
 
@@ -29,7 +29,7 @@ std::function<void(double)> start_step(const FitOptions& options, const std::str
   return [&options, step](double share) { options.progress(step, share); };
 }
 
-PrecisionSearch search_of(const rtl::Design& design, const rtl::Format& before, const FitScene& scene,
+PrecisionSearch search_of(const rtl::Design& design, const Format& before, const FitScene& scene,
                           const FitOptions& options) {
   return {.design = &design,
           .scene = &scene.scene,
@@ -95,9 +95,9 @@ double box_tests_of(const PrecisionSearch& search, const Precision& precision, c
 }
 
 /// Makes the unit at that rate and checks it.
-FitResult fit_at(const rtl::Design& design, const rtl::Format& before,
-                 const std::optional<Precision>& precision, const FitScene& scene, const FitOptions& options,
-                 const rtl::Library& library, const FitRate& rate) {
+FitResult fit_at(const rtl::Design& design, const Format& before, const std::optional<Precision>& precision,
+                 const FitScene& scene, const FitOptions& options, const rtl::Library& library,
+                 const FitRate& rate) {
   const std::string name(design.name);
   FittedUnit unit = fit(design, before, precision, scene.demands, library, rate);
   std::stable_sort(unit.left_out.begin(), unit.left_out.end(),
@@ -130,7 +130,7 @@ std::string why_not_fitted(const rtl::Design& design) {
   return software_of(design).demand == nullptr ? missing(design, demand_part) : "";
 }
 
-rtl::Format fit_from(const rtl::Design& design) {
+Format fit_from(const rtl::Design& design) {
   return software_of(design).fit_from.value_or(design.default_format);
 }
 
@@ -156,7 +156,7 @@ bool FitResult::verified() const {
   return vectors.mismatches == 0 && image.verified(unit.design->conservative);
 }
 
-FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, const FitScene& scene,
+FitResult fit_to_scene(const rtl::Design& design, const Format& before, const FitScene& scene,
                        const FitOptions& options, const rtl::Library& library) {
   const PrecisionSearch search = search_of(design, before, scene, options);
   Tried tried;

@@ -8,17 +8,17 @@
 #include <string>
 
 #include "host/files.hpp"
+#include "rays/tree/load_bvh.hpp"
 #include "sim/cosim/cosim.hpp"
 #include "sim/fit/fit.hpp"
 #include "sim/unit/drive.hpp"
-#include "sw_ref/hierarchy/load_bvh.hpp"
 
 namespace hitpipe::sim {
 
 /// A unit of a design that is cut to a scene, and the tests that it makes on the scene's rays.
 struct PricedTests {
   const rtl::Design* design;
-  rtl::Format format;
+  Format format;
   area::Price price;
   ref::TraceCounts tests;
 };
@@ -57,7 +57,7 @@ struct FitScene {
 /// Why a design cannot be fitted, one line; empty when it can.
 [[nodiscard]] std::string why_not_fitted(const rtl::Design& design);
 /// The format before the fit unless the user says otherwise.
-[[nodiscard]] rtl::Format fit_from(const rtl::Design& design);
+[[nodiscard]] Format fit_from(const rtl::Design& design);
 
 /// Builds the hierarchy and traces the rays of the image. Throws std::runtime_error, one line, when no ray
 /// meets a triangle.
@@ -74,8 +74,7 @@ struct FitResult {
 };
 
 /// Throws what fewest_bits(), fit(), VerilatedDesign, rtl::write_unit() and cosimulate() throw.
-[[nodiscard]] FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before,
-                                     const FitScene& scene, const FitOptions& options,
-                                     const rtl::Library& library);
+[[nodiscard]] FitResult fit_to_scene(const rtl::Design& design, const Format& before, const FitScene& scene,
+                                     const FitOptions& options, const rtl::Library& library);
 
 }  // namespace hitpipe::sim

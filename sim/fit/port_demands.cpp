@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/prune/facts.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim {
 
@@ -30,7 +30,7 @@ constexpr std::initializer_list<Role> direction_roles{Role::direction,    Role::
 
 class Groups {
  public:
-  Groups(const rtl::Design& design, const rtl::Format& format, const ref::SceneDemands& scene,
+  Groups(const rtl::Design& design, const Format& format, const ref::SceneDemands& scene,
          const ref::CoarseAxes& coarse)
       : ports_(design.ports(format)),
         demand_(software_of(design).demand),
@@ -85,7 +85,7 @@ class Groups {
 
   std::vector<rtl::Port> ports_;
   decltype(Software::demand) demand_;
-  rtl::Format format_;
+  Format format_;
   const ref::SceneDemands& scene_;
   const ref::CoarseAxes coarse_;
   std::vector<DemandGroup> groups_;
@@ -130,7 +130,7 @@ void add(rtl::Demands& all, const rtl::PortDemand& demand) {
 
 }  // namespace
 
-std::vector<DemandGroup> port_demands(const rtl::Design& design, const rtl::Format& format,
+std::vector<DemandGroup> port_demands(const rtl::Design& design, const Format& format,
                                       const ref::SceneDemands& scene,
                                       const std::optional<Precision>& precision) {
   const ref::CoarseAxes coarse = precision ? precision->coarse : ref::CoarseAxes{};

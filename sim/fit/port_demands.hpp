@@ -23,7 +23,7 @@ struct DemandGroup {
 
 /// Gives a range only to ports that lose a bit or their sign by it; all other ranges follow from the cube
 /// anyway. Adds a group for each coarse axis of `precision`: low bits of its ports are 0.
-[[nodiscard]] std::vector<DemandGroup> port_demands(const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] std::vector<DemandGroup> port_demands(const rtl::Design& design, const Format& format,
                                                     const ref::SceneDemands& scene,
                                                     const std::optional<Precision>& precision = std::nullopt);
 

@@ -14,13 +14,13 @@
 #include <fmt/format.h>
 
 #include "host/parallel.hpp"
-#include "sim/generic_tracer.hpp"
+#include "sim/cosim/generic_tracer.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
 
-ref::TraceCounts count_tests(const PrecisionSearch& search, const rtl::Format& format,
+ref::TraceCounts count_tests(const PrecisionSearch& search, const Format& format,
                              const ref::CoarseAxes& coarse, bool ends) {
   const auto tracer = make_tracer(*search.design, {format, coarse, ends}, search.scene->mesh, *search.bvh);
   const std::vector<ref::RecordedBatch>& batches = search.rays->batches;
@@ -53,19 +53,19 @@ class Measurements {
  public:
   explicit Measurements(const PrecisionSearch& search) : search_(search) {}
 
-  const ref::TraceCounts& tests(const rtl::Format& format, const ref::CoarseAxes& coarse, bool ends) {
+  const ref::TraceCounts& tests(const Format& format, const ref::CoarseAxes& coarse, bool ends) {
     const auto [at, is_new] =
         search_.known->try_emplace({format.numbers(), coarse.dropped, ends}, ref::TraceCounts{});
     if (is_new) at->second = count_tests(search_, format, coarse, ends);
     return at->second;
   }
-  double extra(const rtl::Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
+  double extra(const Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
     return extra_pct(tests(format, coarse, ends).box_tests, search_.rays->counts.total().box_tests);
   }
-  double extra_triangles(const rtl::Format& format) {
+  double extra_triangles(const Format& format) {
     return extra_pct(tests(format, {}, true).triangle_tests, search_.rays->counts.total().triangle_tests);
   }
-  double cost(const rtl::Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
+  double cost(const Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
     const PrecisionKey key{format.numbers(), coarse.dropped, ends};
     if (const auto at = costs_.find(key); at != costs_.end()) return at->second;
     if (search_.limited && extra(format, coarse, ends) > search_.overhead_pct)
@@ -74,7 +74,7 @@ class Measurements {
         .format = format, .coarse = coarse, .ends = ends, .endless_extra_box_tests_pct = 0.0};
     return costs_[key] = search_.cost(precision, tests(format, coarse, ends));
   }
-  bool good(const rtl::Format& format, const ref::CoarseAxes& coarse = {}) {
+  bool good(const Format& format, const ref::CoarseAxes& coarse = {}) {
     return extra(format, coarse) <= search_.overhead_pct;
   }
   [[nodiscard]] int count() const { return static_cast<int>(search_.known->size()); }
@@ -84,7 +84,7 @@ class Measurements {
   std::map<PrecisionKey, double> costs_;
 };
 
-using FormatGroups = std::vector<std::vector<rtl::Format>>;
+using FormatGroups = std::vector<std::vector<Format>>;
 
 /// So many groups, and so many formats in a group.
 struct Step {
@@ -104,7 +104,7 @@ struct Place {
   std::size_t group, format;
 };
 
-std::optional<Place> place_of(const FormatGroups& groups, const rtl::Format& format) {
+std::optional<Place> place_of(const FormatGroups& groups, const Format& format) {
   for (std::size_t group = 0; group < groups.size(); ++group) {
     const auto at = std::find(groups[group].begin(), groups[group].end(), format);
     if (at != groups[group].end()) return Place{group, static_cast<std::size_t>(at - groups[group].begin())};
@@ -114,8 +114,7 @@ std::optional<Place> place_of(const FormatGroups& groups, const rtl::Format& for
 
 /// Goes from format to format while the cost falls: one format on in the group, or to the format at the same
 /// place in one of the next two groups. In steps of a rate the cost of neighbours is uneven, so it looks farther.
-rtl::Format least_cost_from(const FormatGroups& groups, const rtl::Format& start, bool far,
-                            Measurements& measured) {
+Format least_cost_from(const FormatGroups& groups, const Format& start, bool far, Measurements& measured) {
   Place best = place_of(groups, start).value();
   const auto cost_at = [&](const Place& place) { return measured.cost(groups[place.group][place.format]); };
   const auto next_of = [&](const Place& place, const Step& step) -> std::optional<Place> {
@@ -140,22 +139,21 @@ rtl::Format least_cost_from(const FormatGroups& groups, const rtl::Format& start
 }
 
 /// Where a search for the least cost begins, each once: the cost has hollows, and a path ends in the first.
-std::vector<rtl::Format> starts_of(const PrecisionSearch& search, const FormatGroups& groups,
-                                   const rtl::Format& within_limit) {
+std::vector<Format> starts_of(const PrecisionSearch& search, const FormatGroups& groups,
+                              const Format& within_limit) {
   const Software& software = software_of(*search.design);
-  std::vector<rtl::Format> wanted{search.most, within_limit, search.design->default_format};
+  std::vector<Format> wanted{search.most, within_limit, search.design->default_format};
   if (software.fit_from) wanted.push_back(*software.fit_from);
   wanted.insert(wanted.end(), software.sweep_formats.begin(), software.sweep_formats.end());
-  std::vector<rtl::Format> starts;
-  for (const rtl::Format& format : wanted)
+  std::vector<Format> starts;
+  for (const Format& format : wanted)
     if (place_of(groups, format) && std::find(starts.begin(), starts.end(), format) == starts.end())
       starts.push_back(format);
   return starts;
 }
 
 /// Greedy: an axis that cannot lose another bit is not tried again.
-ref::CoarseAxes most_dropped(const PrecisionSearch& search, const rtl::Format& format,
-                             Measurements& measured) {
+ref::CoarseAxes most_dropped(const PrecisionSearch& search, const Format& format, Measurements& measured) {
   const auto fits = software_of(*search.design).fits_coarse;
   if (fits == nullptr) return {};
   ref::CoarseAxes coarse;
@@ -187,8 +185,8 @@ std::string measured_text(double extra_box_tests_pct) {
   return fmt::format("{:.2f} % extra box tests, measured on the scene's rays", extra_box_tests_pct);
 }
 
-double extra_box_tests_pct(const PrecisionSearch& search, const rtl::Format& format,
-                           const ref::CoarseAxes& coarse, bool ends) {
+double extra_box_tests_pct(const PrecisionSearch& search, const Format& format, const ref::CoarseAxes& coarse,
+                           bool ends) {
   return extra_pct(count_tests(search, format, coarse, ends).box_tests,
                    search.rays->counts.total().box_tests);
 }
@@ -202,12 +200,12 @@ std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
     const FormatGroups groups = up_to(search.most);
     if (within_limit) {
       const auto& group = first_good(groups, [&](const auto& each) { return measured.good(each.back()); });
-      found.format = first_good(group, [&](const rtl::Format& each) { return measured.good(each); });
+      found.format = first_good(group, [&](const Format& each) { return measured.good(each); });
     }
     if (search.cost) {
-      for (const rtl::Format& start : starts_of(search, groups, found.format)) {
+      for (const Format& start : starts_of(search, groups, found.format)) {
         found.starts.push_back({start, measured.cost(start)});
-        const rtl::Format end = least_cost_from(groups, start, search.far, measured);
+        const Format end = least_cost_from(groups, start, search.far, measured);
         if (measured.cost(end) < measured.cost(found.format)) found.format = end;
       }
     }

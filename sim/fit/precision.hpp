@@ -11,8 +11,8 @@
 #include <tuple>
 #include <vector>
 
+#include "rays/world/coarse_axes.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/scene_demands.hpp"
 #include "sw_ref/render/recording.hpp"
 
@@ -20,13 +20,13 @@ namespace hitpipe::sim {
 
 /// A format of the design, and its cost on the scene's rays.
 struct CostedFormat {
-  rtl::Format format;
+  Format format;
   double cost;
 };
 
 /// What the scene's own rays do not need, as measured.
 struct Precision {
-  rtl::Format format;
+  Format format;
   double extra_box_tests_pct = 0;  ///< with this format alone
   double extra_triangle_tests_pct = 0;
   ref::CoarseAxes coarse{};
@@ -47,7 +47,7 @@ struct Precision {
 using PrecisionCost = std::function<double(const Precision& precision, const ref::TraceCounts& tests)>;
 
 /// Format, low bits that are dropped, whether the unit knows where rays end.
-using PrecisionKey = std::tuple<rtl::FormatNumbers, std::array<int, 3>, bool>;
+using PrecisionKey = std::tuple<FormatNumbers, std::array<int, 3>, bool>;
 
 struct PrecisionSearch {
   const rtl::Design* design;
@@ -55,7 +55,7 @@ struct PrecisionSearch {
   const ref::Bvh* bvh;
   const ref::SceneDemands* demands;
   const ref::Recording* rays;  ///< by a traversal without extra tests
-  rtl::Format most;
+  Format most;
   double overhead_pct = 2.0;
   PrecisionCost cost{};  ///< if there is one, its least decides, and the limit only says where to begin
   bool limited = false;  ///< with a cost: the limit holds nevertheless
@@ -69,7 +69,7 @@ struct PrecisionSearch {
 
 /// Box tests beyond the reference's, in percent of the reference's. Throws std::runtime_error for a design
 /// without a software traversal.
-[[nodiscard]] double extra_box_tests_pct(const PrecisionSearch& search, const rtl::Format& format,
+[[nodiscard]] double extra_box_tests_pct(const PrecisionSearch& search, const Format& format,
                                          const ref::CoarseAxes& coarse = {}, bool ends = true);
 
 /// Searches the groups of formats up to `most` (Software::up_to). Takes the first group that has a format

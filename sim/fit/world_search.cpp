@@ -10,13 +10,13 @@
 
 #include <fmt/format.h>
 
-#include "rtl_gen/catalogue/format.hpp"
+#include "host/format.hpp"
 #include "sw_ref/world/int_error.hpp"
 
 namespace hitpipe::sim {
 
 std::string text_of(const hls::WorldBits& world) {
-  return rtl::to_string(rtl::Format(world));
+  return to_string(Format(world));
 }
 
 namespace {

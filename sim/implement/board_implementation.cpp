@@ -96,8 +96,8 @@ int checked_clocks(const rtl::Board& board, int baud, const ImplementOptions& op
 
 }  // namespace
 
-BoardImplementation implement_board(const rtl::Design& design, const rtl::Format& format,
-                                    const rtl::Board& board, int baud, const ImplementOptions& options) {
+BoardImplementation implement_board(const rtl::Design& design, const Format& format, const rtl::Board& board,
+                                    int baud, const ImplementOptions& options) {
   const int clocks_per_bit = checked_clocks(board, baud, options);
   const BoardBench made(board, options);
 

@@ -21,7 +21,7 @@ struct BoardImplementation {
 /// beside them. Of the seeds the fastest is packed. Throws as implement_unit() and
 /// rtl::Board::clocks_per_bit() do, and std::runtime_error, one line, when the target is not placed. The
 /// options of the netlist simulation are not used.
-[[nodiscard]] BoardImplementation implement_board(const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] BoardImplementation implement_board(const rtl::Design& design, const Format& format,
                                                   const rtl::Board& board, int baud,
                                                   const ImplementOptions& options);
 

@@ -13,7 +13,7 @@
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "sim/implement/clocks.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim {
 
@@ -123,7 +123,7 @@ std::optional<std::vector<ResourceCount>> counts_if_it_fits(const rtl::Design& d
 
 }  // namespace
 
-std::vector<FittingCandidate> fitting_candidates(const rtl::Design& design, const rtl::Format& format,
+std::vector<FittingCandidate> fitting_candidates(const rtl::Design& design, const Format& format,
                                                  const Target& target, const ImplementOptions& options) {
   std::vector<FittingCandidate> candidates;
   const rtl::Graph graph = design.trace(format);
@@ -137,16 +137,16 @@ std::vector<FittingCandidate> fitting_candidates(const rtl::Design& design, cons
     if (interval > options.interval)
       candidates.push_back({fmt::format("--ii {}", interval), format, options.clock_ps, interval});
   if (const auto smaller = software_of(design).smaller_formats; smaller != nullptr) {
-    const std::vector<std::vector<rtl::Format>> groups = smaller(format);
+    const std::vector<std::vector<Format>> groups = smaller(format);
     for (auto group = groups.rbegin(); group != groups.rend(); ++group)
       if (group->back() != format)
-        candidates.push_back({fmt::format("--bits {}", rtl::to_string(group->back())), group->back(),
+        candidates.push_back({fmt::format("--bits {}", to_string(group->back())), group->back(),
                               options.clock_ps, options.interval});
   }
   return candidates;
 }
 
-std::string fitting_option(const rtl::Design& design, const rtl::Format& format, const Target& target,
+std::string fitting_option(const rtl::Design& design, const Format& format, const Target& target,
                            const ImplementOptions& options, const Implementation& unit) {
   const rtl::Library library = options.library_for(target);
   const auto model = [&](const FittingCandidate& each) {

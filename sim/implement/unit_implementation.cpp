@@ -18,7 +18,7 @@ rtl::Library ImplementOptions::library_for(const Target& for_target) const {
   return rtl::library_called(library.empty() ? for_target.library : library, block_luts);
 }
 
-Implementation implement_unit(const rtl::Design& design, const rtl::Format& format, const Target& target,
+Implementation implement_unit(const rtl::Design& design, const Format& format, const Target& target,
                               const ImplementOptions& options) {
   if (!options.module.empty()) rtl::check_module_name(options.module);
   const rtl::Library library = options.library_for(target);

@@ -35,7 +35,7 @@ struct ImplementOptions {
 /// Makes a folder in options.folder that is named after the target. Writes the unit to it as
 /// rtl::write_unit() does, and all that the tools read and wrote. Throws std::runtime_error, one line, when a
 /// tool is missing or fails. A unit that does not fit is a result.
-[[nodiscard]] Implementation implement_unit(const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] Implementation implement_unit(const rtl::Design& design, const Format& format,
                                             const Target& target, const ImplementOptions& options);
 
 }  // namespace hitpipe::sim

@@ -46,7 +46,7 @@ rtl::Word joined(const std::uint64_t* words) {
   return rtl::Word{words[1]} << 64 | words[0];
 }
 
-std::string verilog_of(const rtl::Machine& machine, const rtl::Format& format) {
+std::string verilog_of(const rtl::Machine& machine, const Format& format) {
   return rtl::to_verilog(machine.graph(format),
                          {.module = machine.module_at(format), .bits = "", .shows_state = true});
 }
@@ -102,7 +102,7 @@ HITPIPE_ENTRY void hitpipe_machine_cycle(void* model, bool reset, const std::uin
                                                                  module, drive, read, show);
 }
 
-VerilatedMachine::VerilatedMachine(const rtl::Machine& machine, const rtl::Format& format,
+VerilatedMachine::VerilatedMachine(const rtl::Machine& machine, const Format& format,
                                    const std::filesystem::path& cache)
     : VerilatedMachine(machine.graph(format), machine.module_at(format), verilog_of(machine, format), cache) {
 }

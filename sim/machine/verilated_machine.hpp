@@ -19,7 +19,7 @@ namespace hitpipe::sim {
 class VerilatedMachine final : public rtl::NativeMachine {
  public:
   /// Throws as ModelLibrary and rtl::Machine::graph() do. Registers begin at 0.
-  VerilatedMachine(const rtl::Machine& machine, const rtl::Format& format,
+  VerilatedMachine(const rtl::Machine& machine, const Format& format,
                    const std::filesystem::path& cache = default_cache());
   /// The same for Verilog that was changed; its module must be the machine's, with its registers as outputs.
   VerilatedMachine(const rtl::MachineGraph& machine, const std::string& module, const std::string& verilog,

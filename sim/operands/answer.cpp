@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sw_ref/judge/triangle_test.hpp"
-#include "sw_ref/scene/triangle_numbers.hpp"
-#include "sw_ref/world/int_ray.hpp"
-#include "sw_ref/world/int_triangle.hpp"
+#include "rays/exact/triangle_test.hpp"
+#include "rays/scene/triangle_numbers.hpp"
+#include "rays/world/int_ray.hpp"
+#include "rays/world/int_triangle.hpp"
 
 namespace hitpipe::sim {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "rays/scene/scene.hpp"
+#include "rays/world/int_scene.hpp"
 #include "sim/operands/ray_list.hpp"
-#include "sw_ref/scene/scene.hpp"
-#include "sw_ref/world/int_scene.hpp"
 
 namespace hitpipe::sim {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "sim/check/box_test.hpp"
 #include "sim/operands/test_text.hpp"
+#include "sim/software/box_test.hpp"
 
 namespace hitpipe::sim {
 

@@ -31,13 +31,13 @@ std::optional<std::int64_t> pattern(std::string_view digits, const rtl::Port& po
 std::optional<std::int64_t> operand(std::string_view word, const rtl::Port& port) {
   if (word.starts_with("0x") || word.starts_with("0X")) return pattern(word.substr(2), port);
   const auto number = host::number_in<std::int64_t>(word);
-  const auto [low, high] = rtl::numbers_of(port);
+  const auto [low, high] = numbers_of(port);
   return number && *number >= low && *number <= high ? number : std::nullopt;
 }
 
 [[noreturn]] void refuse(const NumberFile& file, const NumberLine& line, std::string_view word,
                          const rtl::Port& port) {
-  const auto [low, high] = rtl::numbers_of(port);
+  const auto [low, high] = numbers_of(port);
   file.reject(
       line, fmt::format("{} is \"{}\"; allowed is {} to {}, or the pattern of its {} bits, such as 0x{:x}",
                         port.name, host::shortened(word), low, high, port.width, hls::low_mask(port.width)));
@@ -56,7 +56,7 @@ std::vector<std::string> other_columns(const rtl::Design& design, const std::vec
 
 }  // namespace
 
-RunCounts run_operands(const rtl::Design& design, const rtl::Format& format, const std::string& file,
+RunCounts run_operands(const rtl::Design& design, const Format& format, const std::string& file,
                        TestForm form, const std::function<void(std::string_view)>& write,
                        const std::function<void(double)>& progress) {
   const TestLayout layout(design, format, form);

@@ -21,7 +21,7 @@ struct RunCounts {
 /// pattern of the port's bits in hexadecimal. "-" is standard input. Throws std::runtime_error, one line that
 /// names file, line, what is wrong and what is allowed. `progress` is told the finished share of the file, if
 /// that is known.
-RunCounts run_operands(const rtl::Design& design, const rtl::Format& format, const std::string& file,
+RunCounts run_operands(const rtl::Design& design, const Format& format, const std::string& file,
                        TestForm form, const std::function<void(std::string_view)>& write,
                        const std::function<void(double)>& progress);
 

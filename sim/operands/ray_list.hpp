@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "sw_ref/scene/normalise.hpp"
-#include "sw_ref/scene/ray.hpp"
-#include "sw_ref/trace/tracer.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/scene/normalise.hpp"
+#include "rays/trace/tracer.hpp"
 
 namespace hitpipe::sim {
 

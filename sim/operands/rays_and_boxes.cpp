@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "host/text.hpp"
-#include "sw_ref/quantise/to_cube.hpp"
+#include "rays/world/to_cube.hpp"
 
 namespace hitpipe::sim {
 

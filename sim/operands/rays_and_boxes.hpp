@@ -2,7 +2,7 @@
 // the binary32 box holds the box as written.
 //
 // They lie in the cube [-1, 1], or in a user's own units. One scale and one offset move those into the cube, as
-// they do with a scene (sw_ref/scene/normalise.hpp): an origin is computed in double and rounded to binary32
+// they do with a scene (rays/scene/normalise.hpp): an origin is computed in double and rounded to binary32
 // once, a plane is rounded outward from the exact number, a direction stays as it is, and a length, which is a
 // multiple of the direction, is scaled.
 #pragma once
@@ -10,10 +10,10 @@
 #include <array>
 #include <optional>
 
+#include "rays/mesh/aabb.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/scene/normalise.hpp"
 #include "sim/operands/number_file.hpp"
-#include "sw_ref/scene/aabb.hpp"
-#include "sw_ref/scene/normalise.hpp"
-#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::sim {
 

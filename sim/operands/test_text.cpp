@@ -57,10 +57,10 @@ class Values {
 
 }  // namespace
 
-TestLayout::TestLayout(const rtl::Design& design, const rtl::Format& format, const Placement& placement,
+TestLayout::TestLayout(const rtl::Design& design, const Format& format, const Placement& placement,
                        TestForm form, bool with_input)
     : design_(design.name),
-      bits_(rtl::to_string(format)),
+      bits_(to_string(format)),
       placement_(placement),
       form_(form),
       with_input_(with_input),
@@ -78,9 +78,9 @@ TestLayout::TestLayout(const rtl::Design& design, const rtl::Format& format, con
     if (result.meaning == hls::Meaning::hit) columns_.push_back({fmt::format("exact_{}", result.name)});
 }
 
-TestLayout::TestLayout(const rtl::Design& design, const rtl::Format& format, TestForm form)
+TestLayout::TestLayout(const rtl::Design& design, const Format& format, TestForm form)
     : design_(design.name),
-      bits_(rtl::to_string(format)),
+      bits_(to_string(format)),
       form_(form),
       boxes_(static_cast<std::size_t>(design.kind.objects)),
       ports_(design.ports(format)),

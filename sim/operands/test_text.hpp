@@ -39,11 +39,11 @@ struct JudgedTest {
 class TestLayout {
  public:
   /// `with_input`: ray and boxes too, as they were tested.
-  TestLayout(const rtl::Design& design, const rtl::Format& format, const Placement& placement, TestForm form,
+  TestLayout(const rtl::Design& design, const Format& format, const Placement& placement, TestForm form,
              bool with_input);
 
   /// For operands that the user gives. There is no ray and no box, so no exact answer either.
-  TestLayout(const rtl::Design& design, const rtl::Format& format, TestForm form);
+  TestLayout(const rtl::Design& design, const Format& format, TestForm form);
 
   /// What stands before the first test: of CSV the header alone.
   [[nodiscard]] std::string head() const;

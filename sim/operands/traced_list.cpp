@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "host/parallel.hpp"
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/triangle_test.hpp"
 
 namespace hitpipe::sim {
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "rays/trace/tracer.hpp"
 #include "sim/operands/ray_list.hpp"
 #include "sw_ref/render/render.hpp"
-#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::sim {
 

@@ -2,20 +2,20 @@
 
 #include <map>
 
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim {
 
-std::vector<rtl::Format> sweep_formats(const rtl::Design& design) {
-  const std::vector<rtl::Format>& own = software_of(design).sweep_formats;
-  return own.empty() ? std::vector<rtl::Format>{design.default_format} : own;
+std::vector<Format> sweep_formats(const rtl::Design& design) {
+  const std::vector<Format>& own = software_of(design).sweep_formats;
+  return own.empty() ? std::vector<Format>{design.default_format} : own;
 }
 
 std::vector<SweepPoint> plan_sweep(std::span<const DesignFormats> designs,
                                    std::span<const int> rays_in_flight, std::span<const int> intervals) {
   std::map<RowKey, SweepPoint> points;
   for (const DesignFormats& each : designs) {
-    for (const rtl::Format& format : each.formats) {
+    for (const Format& format : each.formats) {
       static_cast<void>(each.design->evaluate(format));  // throws if the design has no such format
       for (const int rays : rays_in_flight) {
         for (const int interval : intervals) {

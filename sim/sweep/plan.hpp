@@ -14,7 +14,7 @@ namespace hitpipe::sim {
 
 struct SweepPoint {
   const rtl::Design* design;
-  rtl::Format format;
+  Format format;
   int rays_in_flight;
   int interval = 1;  ///< a test may begin every so many cycles
 };
@@ -22,10 +22,10 @@ struct SweepPoint {
 /// A design and the formats that are asked for.
 struct DesignFormats {
   const rtl::Design* design;
-  std::vector<rtl::Format> formats;
+  std::vector<Format> formats;
 };
 /// The formats in which a design is swept without --bits. The default format if the design states none.
-[[nodiscard]] std::vector<rtl::Format> sweep_formats(const rtl::Design& design);
+[[nodiscard]] std::vector<Format> sweep_formats(const rtl::Design& design);
 
 inline constexpr std::array every_cycle{1};
 
@@ -38,7 +38,7 @@ inline constexpr std::array every_cycle{1};
 /// The place of a row in the file: place of the design in the catalogue, format, rays in flight, interval.
 struct RowKey {
   std::size_t design;
-  rtl::FormatNumbers format;
+  FormatNumbers format;
   int rays_in_flight;
   int interval;
 

@@ -10,8 +10,8 @@
 
 #include "area_model/figure.hpp"
 #include "host/text.hpp"
+#include "rays/tree/bvh.hpp"
 #include "rtl_gen/schedule/sharing.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/memory/scene_memory.hpp"
 
 namespace hitpipe::sim {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sim/generic_tracer.hpp"
+#include "sim/cosim/generic_tracer.hpp"
 
 namespace hitpipe::sim {
 
@@ -62,7 +62,7 @@ SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int wid
 SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const AskedRay> rays)
     : scene_(scene), bvh_(bvh), batches_(listed_batches(scene, bvh, some_of(rays))) {}
 
-std::optional<ref::Middle> SoftwareTime::of(const rtl::Design& design, const rtl::Format& format) const {
+std::optional<ref::Middle> SoftwareTime::of(const rtl::Design& design, const Format& format) const {
   if (software_of(design).tracer == nullptr) return std::nullopt;
   const std::unique_ptr<ref::Tracer> tracer = make_tracer(design, {format}, scene_.mesh, bvh_);
   std::size_t rays = 0;

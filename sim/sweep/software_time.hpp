@@ -32,7 +32,7 @@ class SoftwareTime {
 
   /// Seconds for a million rays, measured now. Nothing for a design without a tracer of its own: the generic one is no
   /// measure of it. Throws what ref::make_tracer() throws.
-  [[nodiscard]] std::optional<ref::Middle> of(const rtl::Design& design, const rtl::Format& format) const;
+  [[nodiscard]] std::optional<ref::Middle> of(const rtl::Design& design, const Format& format) const;
 
  private:
   const ref::Scene& scene_;

@@ -16,8 +16,8 @@
 #include "area_model/triangle_unit.hpp"
 #include "host/parallel.hpp"
 #include "sim/cosim/cosim.hpp"
+#include "sim/cosim/generic_tracer.hpp"
 #include "sim/fit/fit.hpp"
-#include "sim/generic_tracer.hpp"
 #include "sim/sweep/software_time.hpp"
 #include "sim/sweep/unit_energy.hpp"
 #include "sim/unit/verilated_design.hpp"
@@ -241,8 +241,7 @@ class Run {
 
 }  // namespace
 
-std::string why_not_priced(const rtl::Design& design, const rtl::Format& format,
-                           const rtl::Library& library) {
+std::string why_not_priced(const rtl::Design& design, const Format& format, const rtl::Library& library) {
   try {
     static_cast<void>(area::price(design, format, library, area::Account::built));
   } catch (const std::runtime_error& error) {
@@ -251,10 +250,10 @@ std::string why_not_priced(const rtl::Design& design, const rtl::Format& format,
   return "";
 }
 
-SweepRow priced_row(const rtl::Design& design, const rtl::Format& format, const area::Price& price) {
+SweepRow priced_row(const rtl::Design& design, const Format& format, const area::Price& price) {
   SweepRow row;
   row.design = design.name;
-  row.bits = rtl::to_string(format);
+  row.bits = to_string(format);
   row.interval = price.interval;
   row.boxes_per_test = price.boxes;
   row.stages = price.stages;
@@ -292,7 +291,7 @@ void add_counts(SweepRow& row, const CosimResult& result) {
   }
 }
 
-SetUpCost set_up_cost(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library) {
+SetUpCost set_up_cost(const rtl::Design& design, const Format& format, const rtl::Library& library) {
   const auto divisions_of = software_of(design).divisions;
   if (divisions_of == nullptr) return {};
   const area::Divisions divisions = divisions_of(format);

@@ -8,13 +8,13 @@
 #include <string>
 
 #include "area_model/price.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/tree/bvh.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "sim/cosim/cosim.hpp"
 #include "sim/sweep/plan.hpp"
 #include "sim/sweep/row.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/render/whitted.hpp"
-#include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::sim {
 
@@ -36,12 +36,11 @@ struct SweepOptions {
 };
 
 /// Why a library cannot price a design, one line; empty when it can.
-[[nodiscard]] std::string why_not_priced(const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] std::string why_not_priced(const rtl::Design& design, const Format& format,
                                          const rtl::Library& library);
 
 /// A row that holds a unit and its price, and nothing counted.
-[[nodiscard]] SweepRow priced_row(const rtl::Design& design, const rtl::Format& format,
-                                  const area::Price& price);
+[[nodiscard]] SweepRow priced_row(const rtl::Design& design, const Format& format, const area::Price& price);
 /// Adds the counts of a co-simulation. False hits and misses stay 0 if no referee judged.
 void add_counts(SweepRow& row, const CosimResult& result);
 
@@ -51,7 +50,7 @@ void add_counts(SweepRow& row, const CosimResult& result);
 [[nodiscard]] TriangleCost triangle_cost(const rtl::Library& library);
 
 /// What the divisions of a ray's set-up cost in this library, as far as the design says them.
-[[nodiscard]] SetUpCost set_up_cost(const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] SetUpCost set_up_cost(const rtl::Design& design, const Format& format,
                                     const rtl::Library& library);
 
 [[nodiscard]] SweepSubject sweep_subject(const ref::Scene& scene, const ref::Bvh& bvh,

@@ -28,7 +28,7 @@ bool has_all(const rtl::Library& cells, const rtl::Graph& graph) {
 
 }  // namespace
 
-std::optional<area::Toggles> scene_toggles(const rtl::Design& design, const rtl::Format& format,
+std::optional<area::Toggles> scene_toggles(const rtl::Design& design, const Format& format,
                                            const rtl::Pipeline& pipeline, const ref::Scene& scene,
                                            const ref::Bvh& bvh, const SceneTestOptions& options) {
   static const rtl::Library cells = rtl::library_called("osu018");

@@ -12,7 +12,7 @@ namespace hitpipe::sim {
 /// Tests of rays of the scene, as they follow one another in a unit that has rays of many pixels in flight.
 /// Nothing if the cells have no component that the unit needs, or if no ray can be tested. Throws as
 /// scene_tests() does.
-[[nodiscard]] std::optional<area::Toggles> scene_toggles(const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] std::optional<area::Toggles> scene_toggles(const rtl::Design& design, const Format& format,
                                                          const rtl::Pipeline& pipeline,
                                                          const ref::Scene& scene, const ref::Bvh& bvh,
                                                          const SceneTestOptions& options);

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "rtl_gen/part/unit.hpp"
-#include "sw_ref/quantise/coarse_axes.hpp"
+#include "rays/world/coarse_axes.hpp"
+#include "rtl_gen/emit/unit.hpp"
 
 namespace hitpipe::sim {
 
@@ -15,7 +15,7 @@ namespace hitpipe::sim {
 [[nodiscard]] bool takes_ends(const rtl::Unit& unit);
 
 /// Checks operands against a unit's demands. Operands that break a demand would give wrong answers unnoticed.
-/// An OperandStep of a feed (sim/feeds/step_feed.hpp).
+/// An OperandStep of a feed (sim/software/step_feed.hpp).
 class DemandGuard {
  public:
   /// Ignores demands on ports that do not exist; check_demands() finds those.

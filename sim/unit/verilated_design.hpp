@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "rtl_gen/part/unit.hpp"
+#include "rtl_gen/emit/unit.hpp"
 #include "sim/model/model_library.hpp"
 #include "sim/model/pins.hpp"
 

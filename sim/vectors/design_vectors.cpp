@@ -10,7 +10,7 @@
 
 #include "rtl_gen/emit/port_vectors.hpp"
 #include "rtl_gen/graph/canonical.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/world/int_cases.hpp"
 
@@ -115,7 +115,7 @@ void add_categories(rtl::VectorSet& set, Test& test, const Categories& categorie
 
 }  // namespace
 
-rtl::VectorSet design_vectors(const rtl::Design& design, const rtl::Format& format, std::size_t count,
+rtl::VectorSet design_vectors(const rtl::Design& design, const Format& format, std::size_t count,
                               std::uint64_t seed) {
   const std::vector<rtl::Port> ports = design.ports(format);
   const std::vector<hls::Result> results = design.results(format);

@@ -15,7 +15,7 @@ inline constexpr int usual_vectors = 6000;
 inline constexpr std::uint64_t usual_seed = 1;
 
 /// All are drawn at the ports when the design has no such set-up. The same for the same arguments.
-[[nodiscard]] rtl::VectorSet design_vectors(const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] rtl::VectorSet design_vectors(const rtl::Design& design, const Format& format,
                                             std::size_t count, std::uint64_t seed);
 
 }  // namespace hitpipe::sim

@@ -2,10 +2,11 @@
 
 #include <stdexcept>
 
+#include "rays/trace/int_tracer.hpp"
+#include "rays/trace/leaf_test.hpp"
+#include "rays/world/int_triangle.hpp"
 #include "sw_ref/trace/int_major_pair.hpp"
-#include "sw_ref/trace/leaf_test.hpp"
 #include "sw_ref/trace/trail_walk.hpp"
-#include "sw_ref/world/int_tracer.hpp"
 
 namespace hitpipe::ref {
 

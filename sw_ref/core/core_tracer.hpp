@@ -9,9 +9,9 @@
 
 #include "hls/box/major_format.hpp"
 #include "hls/world/world_format.hpp"
-#include "sw_ref/core/core_image.hpp"
-#include "sw_ref/scene/triangle_numbers.hpp"
-#include "sw_ref/trace/tracer.hpp"
+#include "rays/image/core_image.hpp"
+#include "rays/scene/triangle_numbers.hpp"
+#include "rays/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "hls/machines/block_kind.hpp"
-#include "sw_ref/quantise/grid.hpp"
+#include "rays/exact/grid.hpp"
 #include "sw_ref/scene/mesh_scene.hpp"
 
 namespace hitpipe::ref {

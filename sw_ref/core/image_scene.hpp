@@ -5,9 +5,9 @@
 #include <string>
 
 #include "hls/world/world_format.hpp"
-#include "sw_ref/core/core_image.hpp"
-#include "sw_ref/scene/scene.hpp"
-#include "sw_ref/world/int_scene.hpp"
+#include "rays/image/core_image.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/world/int_scene.hpp"
 
 namespace hitpipe::ref {
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "sw_ref/hierarchy/axis_codes.hpp"
-#include "sw_ref/hierarchy/small_leaves.hpp"
+#include "rays/tree/axis_codes.hpp"
+#include "rays/tree/small_leaves.hpp"
 
 namespace hitpipe::ref {
 namespace {

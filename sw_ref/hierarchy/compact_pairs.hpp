@@ -8,7 +8,7 @@
 //   2 counts of 4 bits     0: no child, 1 to 14: triangles of a leaf, 15: a branch
 //   1 pointer of 32 bits   in words of 4 bytes, to what child 0 has; what child 1 has lies behind it
 //   48 + 6p bits: 96 at p = 8, 126 of 128 at 13, 156 of 160 at 18
-// So records and triangles lie in one array, as in the core's image (sw_ref/core/core_image.hpp). Records
+// So records and triangles lie in one array, as in the core's image (rays/image/core_image.hpp). Records
 // that a ray reads one after the other lie in one line of a cache where they can.
 //
 // The parent's box is the anchor. The traversal has it, because it has decoded it; so each entry of a stack
@@ -21,9 +21,9 @@
 #include <span>
 #include <vector>
 
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/hierarchy/near_first_store.hpp"
-#include "sw_ref/hierarchy/relative_box.hpp"
+#include "rays/tree/bvh.hpp"
+#include "rays/tree/near_first_store.hpp"
+#include "rays/tree/relative_box.hpp"
 
 namespace hitpipe::ref {
 

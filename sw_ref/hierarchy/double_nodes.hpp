@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/scene/aabb.hpp"
+#include "rays/mesh/aabb.hpp"
+#include "rays/tree/bvh.hpp"
 
 namespace hitpipe::ref {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hls/box/fp_format.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "rays/tree/bvh.hpp"
 
 namespace hitpipe::ref {
 

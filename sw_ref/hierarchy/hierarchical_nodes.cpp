@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sw_ref/hierarchy/axis_codes.hpp"
+#include "rays/tree/axis_codes.hpp"
 #include "sw_ref/hierarchy/node_store.hpp"
 
 namespace hitpipe::ref {

@@ -14,9 +14,9 @@
 #include <limits>
 #include <vector>
 
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/hierarchy/relative_box.hpp"
-#include "sw_ref/scene/aabb.hpp"
+#include "rays/mesh/aabb.hpp"
+#include "rays/tree/bvh.hpp"
+#include "rays/tree/relative_box.hpp"
 
 namespace hitpipe::ref {
 

@@ -1,4 +1,4 @@
-// Nodes of the integer hierarchy (chapter 6). Boxes on the n-bit grid (sw_ref/quantise/int_box.hpp) are
+// Nodes of the integer hierarchy (chapter 6). Boxes on the n-bit grid (rays/world/int_box.hpp) are
 // packed without a gap, as Table 6.1 counts them: six n-bit coordinates, then count and pointer of 4 bytes
 // each. That is 20, 23, 26 bytes with n = 16, 20, 24, and ceil(6n / 8) + 8 with any n of 6..32. The
 // coordinates of a coarse axis take n - k bits each. Coordinates follow one another, least significant bit
@@ -13,9 +13,9 @@
 #include <cstring>
 #include <vector>
 
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/quantise/coarse_axes.hpp"
-#include "sw_ref/quantise/int_box.hpp"
+#include "rays/tree/bvh.hpp"
+#include "rays/world/coarse_axes.hpp"
+#include "rays/world/int_box.hpp"
 
 namespace hitpipe::ref {
 

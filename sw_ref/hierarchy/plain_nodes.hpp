@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "rays/tree/bvh.hpp"
 #include "sw_ref/hierarchy/node_store.hpp"
 
 namespace hitpipe::ref {

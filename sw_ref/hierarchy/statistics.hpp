@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/scene/mesh.hpp"
+#include "rays/mesh/mesh.hpp"
+#include "rays/tree/bvh.hpp"
 
 namespace hitpipe::ref {
 

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "rays/mesh/mesh.hpp"
+#include "rays/trace/tracer.hpp"
+#include "rays/tree/bvh.hpp"
 #include "sw_ref/memory/line_cache.hpp"
-#include "sw_ref/scene/mesh.hpp"
-#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sw_ref/quantise/ray_check.hpp"
+#include "rays/world/ray_check.hpp"
 
 #ifdef __FAST_MATH__
 #error "directed rounding needs IEEE arithmetic: build without -ffast-math"

@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/scene/ray.hpp"
+#include "rays/mesh/ray.hpp"
 
 namespace hitpipe::ref {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "hls/box/fp_format.hpp"
-#include "sw_ref/scene/aabb.hpp"
+#include "rays/mesh/aabb.hpp"
 
 namespace hitpipe::ref {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "hls/box/fp_format.hpp"
-#include "sw_ref/judge/binary32.hpp"
+#include "rays/exact/binary32.hpp"
 
 namespace hitpipe::ref {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string_view>
 
-#include "sw_ref/judge/binary32.hpp"
+#include "rays/exact/binary32.hpp"
+#include "rays/world/ray_check.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/quantise/fp_inverse.hpp"
-#include "sw_ref/quantise/ray_check.hpp"
 
 namespace hitpipe::ref {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "hls/box/fp_format.hpp"
-#include "sw_ref/scene/ray.hpp"
+#include "rays/mesh/ray.hpp"
 
 namespace hitpipe::ref {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "sw_ref/judge/binary32.hpp"
-#include "sw_ref/quantise/grid.hpp"
-#include "sw_ref/quantise/ray_check.hpp"
+#include "rays/exact/binary32.hpp"
+#include "rays/exact/grid.hpp"
+#include "rays/world/ray_check.hpp"
 
 namespace hitpipe::ref {
 

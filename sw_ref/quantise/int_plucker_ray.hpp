@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "hls/box/int_format.hpp"
-#include "sw_ref/scene/ray.hpp"
+#include "rays/mesh/ray.hpp"
 
 namespace hitpipe::ref {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "rays/mesh/aabb.hpp"
+#include "rays/scene/scene.hpp"
 #include "sw_ref/render/whitted.hpp"
-#include "sw_ref/scene/aabb.hpp"
-#include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::ref {
 

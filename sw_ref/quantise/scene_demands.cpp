@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "sw_ref/trace/child_order.hpp"
+#include "rays/trace/child_order.hpp"
 
 namespace hitpipe::ref {
 namespace {

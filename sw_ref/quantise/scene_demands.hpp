@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "rays/tree/bvh.hpp"
 #include "sw_ref/quantise/ray_family.hpp"
 
 namespace hitpipe::ref {

@@ -4,7 +4,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
-#include "sw_ref/reject.hpp"
+#include "host/reject.hpp"
 
 namespace hitpipe::ref {
 

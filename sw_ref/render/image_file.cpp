@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "host/files.hpp"
+#include "host/reject.hpp"
 #include "host/text.hpp"
-#include "sw_ref/reject.hpp"
 #include "sw_ref/render/colour_map.hpp"
 #include "sw_ref/render/image_codec.hpp"
 #include "sw_ref/render/png_check.hpp"

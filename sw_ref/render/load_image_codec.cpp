@@ -1,7 +1,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include "sw_ref/reject.hpp"
+#include "host/reject.hpp"
 #include "sw_ref/render/image_codec.hpp"
 
 namespace hitpipe::ref {

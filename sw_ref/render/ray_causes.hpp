@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "rays/scene/scene.hpp"
 #include "sw_ref/render/whitted_options.hpp"
-#include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::ref {
 

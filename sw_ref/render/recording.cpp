@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "host/parallel.hpp"
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/triangle_test.hpp"
 
 namespace hitpipe::ref {
 namespace {

@@ -12,9 +12,9 @@
 #include <glm/vec3.hpp>
 
 #include "host/piece.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/trace/tracer.hpp"
 #include "sw_ref/render/whitted.hpp"
-#include "sw_ref/scene/scene.hpp"
-#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 

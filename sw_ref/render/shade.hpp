@@ -8,8 +8,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/scene/ray.hpp"
-#include "sw_ref/scene/scene.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/scene/scene.hpp"
 
 namespace hitpipe::ref {
 

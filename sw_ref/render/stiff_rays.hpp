@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "sw_ref/scene/ray.hpp"
+#include "rays/mesh/ray.hpp"
 
 namespace hitpipe::ref {
 

@@ -11,13 +11,13 @@
 
 #include <glm/vec3.hpp>
 
+#include "rays/mesh/ray.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/trace/tracer.hpp"
 #include "sw_ref/render/light_sum.hpp"
 #include "sw_ref/render/ray_causes.hpp"
 #include "sw_ref/render/shade.hpp"
 #include "sw_ref/render/whitted_options.hpp"
-#include "sw_ref/scene/ray.hpp"
-#include "sw_ref/scene/scene.hpp"
-#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
 
 namespace hitpipe::ref {
 

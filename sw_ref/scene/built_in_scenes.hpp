@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
 
 namespace hitpipe::ref {
 

@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/scene/mesh.hpp"
+#include "rays/mesh/mesh.hpp"
 
 namespace hitpipe::ref {
 

@@ -12,8 +12,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "sw_ref/scene/mesh.hpp"
-#include "sw_ref/scene/normalise.hpp"
+#include "rays/mesh/mesh.hpp"
+#include "rays/scene/normalise.hpp"
 
 namespace hitpipe::ref {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "sw_ref/mesh/mesh_file.hpp"
-#include "sw_ref/scene/scene.hpp"
+#include "rays/files/mesh_file.hpp"
+#include "rays/scene/scene.hpp"
 
 namespace hitpipe::ref {
 

@@ -14,13 +14,13 @@
 #include <fmt/ranges.h>
 
 #include "host/outputs.hpp"
+#include "host/reject.hpp"
 #include "host/text.hpp"
-#include "sw_ref/mesh/mesh_file.hpp"
-#include "sw_ref/reject.hpp"
+#include "rays/files/json_place.hpp"
+#include "rays/files/mesh_file.hpp"
+#include "rays/scene/triangle_numbers.hpp"
 #include "sw_ref/scene/built_in.hpp"
-#include "sw_ref/scene/json_place.hpp"
 #include "sw_ref/scene/mesh_scene.hpp"
-#include "sw_ref/scene/triangle_numbers.hpp"
 
 namespace hitpipe::ref {
 namespace {

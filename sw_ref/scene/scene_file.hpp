@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
 
 namespace hitpipe::ref {
 

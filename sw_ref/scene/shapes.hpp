@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "sw_ref/scene/mesh.hpp"
+#include "rays/mesh/mesh.hpp"
 
 namespace hitpipe::ref {
 

@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
 
 namespace hitpipe::ref {
 namespace {

@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "hls/pipelines/int_plucker.hpp"
+#include "rays/trace/int_major.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/trace/fp_slabs_safe.hpp"
-#include "sw_ref/trace/int_major.hpp"
 #include "sw_ref/trace/int_plucker.hpp"
 #include "sw_ref/trace/int_slabs.hpp"
 

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "rays/mesh/aabb.hpp"
+#include "rays/trace/test_maker.hpp"
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
-#include "sw_ref/scene/aabb.hpp"
-#include "sw_ref/trace/test_maker.hpp"
 
 #ifdef __FAST_MATH__
 #error "truncated sums need IEEE arithmetic: build without -ffast-math"

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <memory>
 
-#include "sw_ref/hierarchy/pair_nodes.hpp"
-#include "sw_ref/trace/int_major.hpp"
-#include "sw_ref/trace/walk.hpp"
+#include "rays/trace/int_major.hpp"
+#include "rays/trace/walk.hpp"
+#include "rays/world/pair_nodes.hpp"
 
 namespace hitpipe::ref {
 

@@ -1,6 +1,6 @@
 // The integer slabs box test (section 6.2.2) in 64-bit words, for any n/t chosen at run time. It gives the
 // same HIT as the datapath of hls/pipelines/int_slabs.hpp. It takes boxes of the n-bit grid
-// (sw_ref/quantise/int_box.hpp), and is a SoftwareBoxTest (sw_ref/trace/traversal.hpp).
+// (rays/world/int_box.hpp), and is a SoftwareBoxTest (sw_ref/trace/traversal.hpp).
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 #include <cstdint>
 
 #include "hls/box/int_format.hpp"
-#include "sw_ref/quantise/coarse_axes.hpp"
-#include "sw_ref/quantise/int_box.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/trace/test_maker.hpp"
+#include "rays/world/coarse_axes.hpp"
+#include "rays/world/int_box.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
-#include "sw_ref/scene/ray.hpp"
-#include "sw_ref/trace/test_maker.hpp"
 
 namespace hitpipe::ref {
 

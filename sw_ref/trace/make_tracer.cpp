@@ -5,15 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "rays/trace/slabs.hpp"
+#include "rays/world/ray_check.hpp"
 #include "sw_ref/hierarchy/double_nodes.hpp"
 #include "sw_ref/hierarchy/hierarchical_nodes.hpp"
 #include "sw_ref/hierarchy/int_nodes.hpp"
-#include "sw_ref/quantise/ray_check.hpp"
 #include "sw_ref/trace/int_plucker.hpp"
 #include "sw_ref/trace/int_slabs.hpp"
 #include "sw_ref/trace/near_first_tracer.hpp"
 #include "sw_ref/trace/plucker.hpp"
-#include "sw_ref/trace/slabs.hpp"
 #include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::ref {

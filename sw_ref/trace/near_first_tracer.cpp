@@ -1,47 +1,12 @@
 #include "sw_ref/trace/near_first_tracer.hpp"
 
+#include "rays/trace/near_first.hpp"
+#include "rays/tree/wide_nodes.hpp"
 #include "sw_ref/hierarchy/compact_pairs.hpp"
-#include "sw_ref/hierarchy/wide_nodes.hpp"
-#include "sw_ref/trace/leaf_test.hpp"
-#include "sw_ref/trace/near_first.hpp"
+#include "sw_ref/trace/counting_visitor.hpp"
 
 namespace hitpipe::ref {
 namespace {
-
-/// Tests the triangles of leaves, and counts.
-class CountingVisitor {
- public:
-  CountingVisitor(const Leaves& leaves, const Ray& ray, Query query, Loads loads)
-      : leaves_(leaves), ray_(ray), loads_(loads), query_(query) {}
-
-  void branch(std::uint32_t number, unsigned children) {
-    loads_.node(number);
-    ++counts_.nodes_loaded;
-    counts_.box_tests += children;
-  }
-  AfterLeaf leaf(std::uint32_t first, std::int32_t count) {
-    const auto triangles = leaves_.triangles(first, count);
-    const std::uint32_t before = hit_.triangle;
-    const std::uint32_t tests = leaves_.test->ray(*leaves_.mesh, triangles, ray_, query_, hit_);
-    loads_.triangles(triangles.first(tests));
-    counts_.triangle_tests += tests;
-    counts_.triangles_loaded += tests;
-    if (hit_.triangle == before) return AfterLeaf::same;
-    return query_ == Query::any ? AfterLeaf::stop : AfterLeaf::shorter;
-  }
-  [[nodiscard]] float length() const { return cull_length(hit_); }
-
-  [[nodiscard]] std::uint32_t triangle() const { return hit_.triangle; }
-  [[nodiscard]] const TraceCounts& counts() const { return counts_; }
-
- private:
-  const Leaves& leaves_;
-  const Ray& ray_;
-  Loads loads_;
-  Query query_;
-  Hit hit_;
-  TraceCounts counts_{.rays = 1};
-};
 
 template <class Store>
 using ChildrenOf = std::conditional_t<Store::width == 2, PairChildren<Store>, WideChildren<Store>>;
@@ -63,7 +28,7 @@ class NearFirstTracer final : public Tracer {
       CountingVisitor visitor(leaves_, ray, job.query, Loads{job.loads});
       walk_near_first(children, visitor, ray.length,
                       order_ == ChildOrder::by_distance ? nullptr : &axis_class);
-      job.triangles[i] = visitor.triangle();
+      job.triangles[i] = visitor.hit().triangle;
       if (!job.work.empty()) job.work[i] = visitor.counts();
       counts += visitor.counts();
     }

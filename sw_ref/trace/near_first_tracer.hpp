@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "rays/trace/tracer.hpp"
 #include "sw_ref/trace/trace_batch.hpp"
-#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 

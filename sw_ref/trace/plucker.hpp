@@ -12,10 +12,10 @@
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/scene/aabb.hpp"
-#include "sw_ref/scene/ray.hpp"
-#include "sw_ref/trace/lanes.hpp"
-#include "sw_ref/trace/mirror.hpp"
+#include "rays/mesh/aabb.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/trace/lanes.hpp"
+#include "rays/trace/mirror.hpp"
 
 namespace hitpipe::ref {
 

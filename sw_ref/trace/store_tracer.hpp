@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "sw_ref/trace/test_maker.hpp"
+#include "rays/trace/test_maker.hpp"
 #include "sw_ref/trace/trace_batch.hpp"
 
 namespace hitpipe::ref {

@@ -15,8 +15,8 @@
 #include <deque>
 #include <utility>
 
-#include "sw_ref/hierarchy/pair_nodes.hpp"
-#include "sw_ref/trace/walk.hpp"
+#include "rays/trace/walk.hpp"
+#include "rays/world/pair_nodes.hpp"
 
 namespace hitpipe::ref {
 

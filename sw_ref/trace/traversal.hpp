@@ -1,5 +1,5 @@
 // Depth-first traversal of one ray through a hierarchy by software, children in a fixed order or near child first
-// by direction and split axis (DSA, section 4.5). sw_ref/trace/walk.hpp is for what answers later.
+// by direction and split axis (DSA, section 4.5). rays/trace/walk.hpp is for what answers later.
 #pragma once
 
 #include <array>
@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "rays/exact/triangle_test.hpp"
+#include "rays/trace/child_order.hpp"
+#include "rays/trace/leaf_test.hpp"
+#include "rays/tree/bvh.hpp"
 #include "sw_ref/hierarchy/plain_nodes.hpp"
-#include "sw_ref/judge/triangle_test.hpp"
-#include "sw_ref/trace/child_order.hpp"
-#include "sw_ref/trace/leaf_test.hpp"
 
 namespace hitpipe::ref {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "host/parallel.hpp"
+#include "rays/world/int_ray.hpp"
 #include "sw_ref/render/camera.hpp"
-#include "sw_ref/world/int_ray.hpp"
 
 namespace hitpipe::ref {
 

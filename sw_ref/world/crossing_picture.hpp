@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "sw_ref/world/int_scene.hpp"
-#include "sw_ref/world/mesh_crossings.hpp"
+#include "rays/trace/mesh_crossings.hpp"
+#include "rays/world/int_scene.hpp"
 
 namespace hitpipe::ref {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "host/parallel.hpp"
-#include "sw_ref/world/int128.hpp"
+#include "rays/world/int128.hpp"
 
 namespace hitpipe::ref {
 

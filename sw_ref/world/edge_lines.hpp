@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "sw_ref/world/mesh_crossings.hpp"
+#include "rays/trace/mesh_crossings.hpp"
 
 namespace hitpipe::ref {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "sw_ref/world/int128.hpp"
+#include "rays/world/int128.hpp"
 
 namespace hitpipe::ref {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "hls/world/world_format.hpp"
+#include "rays/world/int_ray.hpp"
+#include "rays/world/int_triangle.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
-#include "sw_ref/world/int_ray.hpp"
-#include "sw_ref/world/int_triangle.hpp"
 
 namespace hitpipe::ref {
 

@@ -5,11 +5,12 @@
 #include <memory>
 #include <utility>
 
+#include "rays/scene/triangle_numbers.hpp"
+#include "rays/trace/int_tracer.hpp"
+#include "rays/trace/tracer.hpp"
+#include "rays/world/int_scene.hpp"
+#include "sw_ref/render/int_surfaces.hpp"
 #include "sw_ref/render/render.hpp"
-#include "sw_ref/scene/triangle_numbers.hpp"
-#include "sw_ref/trace/tracer.hpp"
-#include "sw_ref/world/int_scene.hpp"
-#include "sw_ref/world/int_tracer.hpp"
 
 namespace hitpipe::ref {
 

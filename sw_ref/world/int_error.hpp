@@ -8,11 +8,11 @@
 
 #include "hls/box/major_format.hpp"
 #include "hls/world/world_format.hpp"
-#include "sw_ref/hierarchy/load_bvh.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/trace/tracer.hpp"
+#include "rays/tree/load_bvh.hpp"
 #include "sw_ref/judge/interval.hpp"
 #include "sw_ref/render/whitted.hpp"
-#include "sw_ref/scene/scene.hpp"
-#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 

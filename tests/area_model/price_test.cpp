@@ -94,7 +94,7 @@ TEST(Built, AreasOfTheSixDesigns) {
   for (std::size_t i = 0; i < table_7_2().size(); ++i) {
     const Entry& entry = table_7_2()[i];
     const Price p = price(rtl::find_design(entry.design), entry.format, Library::thesis(), Account::built);
-    EXPECT_EQ(area_mm2(p.area_um2), areas[i]) << entry.design << ' ' << rtl::to_string(entry.format);
+    EXPECT_EQ(area_mm2(p.area_um2), areas[i]) << entry.design << ' ' << to_string(entry.format);
   }
 }
 
@@ -258,7 +258,7 @@ TEST(Decimal, RoundsHalvesUp) {
     EXPECT_EQ(decimal(dividend, divisor, digits), text);
 }
 
-int bits_found_by_yosys(const rtl::Design& design, rtl::Format format, int interval) {
+int bits_found_by_yosys(const rtl::Design& design, Format format, int interval) {
   const host::ScratchFolder folder;
   const rtl::Pipeline pipeline =
       rtl::make_pipeline(design.trace(format), rtl::Library::thesis(), std::nullopt, interval);
@@ -276,7 +276,7 @@ int bits_found_by_yosys(const rtl::Design& design, rtl::Format format, int inter
   return bits;
 }
 
-void expect_the_bits_of_yosys(const rtl::Design& design, const rtl::Format& format, int interval) {
+void expect_the_bits_of_yosys(const rtl::Design& design, const Format& format, int interval) {
   const Price built =
       price(design, format, rtl::Library::thesis(), Account::built, rtl::FlowControl::stall, interval);
   int bits = 0;

@@ -76,8 +76,7 @@ TEST(Table72, HasItsSixDesignsInItsOrder) {
   ASSERT_EQ(rows.size(), 6U);
   ASSERT_EQ(printed_prices().size(), 6U);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_EQ(key_of(rows[i]),
-              key_of(printed_prices()[i].design, rtl::to_string(printed_prices()[i].format)));
+    EXPECT_EQ(key_of(rows[i]), key_of(printed_prices()[i].design, to_string(printed_prices()[i].format)));
   }
 }
 
@@ -91,7 +90,7 @@ TEST(Table72, EveryComponentRowIsCountedAndPricedAlike) {
   EXPECT_EQ(rows_read, 44);
   Differences differences;
   for (const Price& p : printed_prices()) {
-    const std::string design = key_of(p.design, rtl::to_string(p.format));
+    const std::string design = key_of(p.design, to_string(p.format));
     SCOPED_TRACE(design);
     EXPECT_EQ(p.lines.size(), rows[design].size());
     for (const Line& line : p.lines) {

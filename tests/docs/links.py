@@ -9,7 +9,11 @@ any name.
 import pathlib, re, sys
 
 root = pathlib.Path(sys.argv[1]).resolve()
-FOLDERS = 'area_model bench cli designs.cmake docs examples hls host library rtl_gen sim sw_ref tests thesis README.md CONTRIBUTING.md'.split()
+sys.path.insert(0, str(root / 'tests/platform'))
+import tree
+
+FILES = [root / name for name in tree.files(root) if name != 'CHANGELOG.md']
+FOLDERS = sorted({file.relative_to(root).parts[0] for file in FILES if file.parent != root and not file.relative_to(root).parts[0].startswith('.')})
 TEXT = {'.c', '.cmake', '.cpp', '.h', '.hpp', '.md', '.py', '.sh', '.txt', '.v'}
 
 
@@ -40,7 +44,7 @@ def wrong_links(page):
 
 
 SOURCES = {'.c', '.cpp', '.h', '.hpp', '.in', '.py', '.sh', '.cmake', '.txt', '.json', '.v'}
-PATH = r'(?:area_model|bench|cli|cmake|docs|examples|hls|host|library|rtl_gen|sim|sw_ref|tests|thesis)/[\w/.-]*\w'
+PATH = rf'(?:{"|".join(FOLDERS)})/[\w/.-]*\w'
 CLASS = r'(?:\w+::)*[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+(?:::\w+)*(?:\(\))?|(?:\w+::)+\w+(?:\(\))?|[a-z]\w*\(\)'
 OTHERS = {'MaxArraySize', 'hitpipe', 'std'}  # of Slurm; namespaces
 
@@ -53,8 +57,7 @@ def is_there(path):
 
 def names_that_are_gone():
     """Each with the file that has it, and how many were looked at."""
-    sources = [file for folder in FOLDERS + ['cmake'] if (root / folder).is_dir() for file in sorted((root / folder).rglob('*'))
-               if file.suffix in SOURCES and '__pycache__' not in file.parts]
+    sources = [file for file in FILES if file.suffix in SOURCES and file.relative_to(root).parts[0] in FOLDERS]
     texts = {file: file.read_text(errors='replace') for file in sources}
     code = set()
     for file, text in texts.items():
@@ -81,15 +84,13 @@ def main():
             if reason is None: continue
             wrong += 1
             print(f'{page.relative_to(root)}: {link}: {reason}')
-    for folder in FOLDERS:
-        base = root / folder
-        for file in sorted(base.rglob('*')) if base.is_dir() else [base]:
-            if file.suffix not in TEXT: continue
-            for name in re.findall(r'(?<![\w/.])docs/[\w/.-]+\.(?:md|py|sh|svg|png|csv)\b', file.read_text(errors='replace')):
-                named += 1
-                if (root / name).exists(): continue
-                wrong += 1
-                print(f'{file.relative_to(root)}: {name}: no such file')
+    for file in FILES:
+        if file.suffix not in TEXT: continue
+        for name in re.findall(r'(?<![\w/.])docs/[\w/.-]+\.(?:md|py|sh|svg|png|csv)\b', file.read_text(errors='replace')):
+            named += 1
+            if (root / name).exists(): continue
+            wrong += 1
+            print(f'{file.relative_to(root)}: {name}: no such file')
     looked = 0
     for file, name, there in names_that_are_gone():
         looked += 1

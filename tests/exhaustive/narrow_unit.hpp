@@ -14,11 +14,11 @@
 #include "hls/pipelines/int_major.hpp"
 #include "hls/pipelines/int_plucker.hpp"
 #include "hls/pipelines/int_slabs.hpp"
+#include "rays/exact/grid.hpp"
+#include "rays/world/coarse_axes.hpp"
+#include "rays/world/int_box.hpp"
+#include "rays/world/int_major_ray.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"
-#include "sw_ref/quantise/coarse_axes.hpp"
-#include "sw_ref/quantise/grid.hpp"
-#include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/quantise/int_major_ray.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sw_ref/quantise/major_operands.hpp"
@@ -30,11 +30,11 @@ using Operands = MajorOperandValues;
 
 struct NarrowUnit {
   rtl::Design design;
-  rtl::Format format;
+  Format format;
   int coord;  ///< n
   int finer;  ///< bits by which origins are finer than boxes
   rtl::Evaluate evaluate;
-  void (*set_up)(const Ray&, const rtl::Format&, std::int64_t* out);  ///< the ray's operands
+  void (*set_up)(const Ray&, const Format&, std::int64_t* out);  ///< the ray's operands
   std::size_t ray_operands;
 
   /// For the names of tests: int_slabs_4_4.
@@ -48,7 +48,7 @@ struct NarrowUnit {
   }
 };
 
-inline void slabs_ray(const Ray& exact, const rtl::Format& format, std::int64_t* out) {
+inline void slabs_ray(const Ray& exact, const Format& format, std::int64_t* out) {
   const IntSlabsRay ray = IntSlabsRaySetup(exact, format.as<hls::IntBits>()).ray();
   for (const auto coordinate : ray.origin) *out++ = coordinate;
   *out++ = ray.length;
@@ -59,7 +59,7 @@ inline void slabs_ray(const Ray& exact, const rtl::Format& format, std::int64_t*
   *out = ray.infinite ? 1 : 0;
 }
 
-inline void plucker_ray(const Ray& exact, const rtl::Format& format, std::int64_t* out) {
+inline void plucker_ray(const Ray& exact, const Format& format, std::int64_t* out) {
   const IntPluckerRay ray = IntPluckerRaySetup(exact, format.as<hls::IntBits>()).ray();
   for (const auto& vector : {ray.origin, ray.end.at, ray.direction}) {
     for (const auto component : vector) *out++ = component;
@@ -67,7 +67,7 @@ inline void plucker_ray(const Ray& exact, const rtl::Format& format, std::int64_
   *out = ray.end.infinite ? 1 : 0;
 }
 
-inline void major_ray(const Ray& exact, const rtl::Format& format, std::int64_t* out) {
+inline void major_ray(const Ray& exact, const Format& format, std::int64_t* out) {
   const IntMajorRaySetup set_up(exact, format.as<hls::MajorBits>());
   Operands operands{};
   put_ray(set_up, exact.length, operands);
@@ -102,11 +102,11 @@ inline void put_box(const IntBox& box, std::int64_t* out) {
 
 /// Formats down to the smallest for which the proofs of sw_ref/quantise hold.
 template <class Bits>
-const rtl::FormatFamily& proved_formats() {
-  static const rtl::FormatFamily family = [] {
-    rtl::FormatFamily wider = rtl::family_of<Bits>;
-    wider.valid = [](const rtl::FormatNumbers& n) {
-      return rtl::Format(rtl::family_of<Bits>, n).template as<Bits>().proved();
+const FormatFamily& proved_formats() {
+  static const FormatFamily family = [] {
+    FormatFamily wider = family_of<Bits>;
+    wider.valid = [](const FormatNumbers& n) {
+      return Format(family_of<Bits>, n).template as<Bits>().proved();
     };
     return wider;
   }();
@@ -115,10 +115,10 @@ const rtl::FormatFamily& proved_formats() {
 
 template <class Pipeline>
 NarrowUnit narrow_unit(const typename Pipeline::Bits& bits,
-                       void (*set_up)(const Ray&, const rtl::Format&, std::int64_t*),
-                       std::size_t ray_operands, int finer = 0) {
+                       void (*set_up)(const Ray&, const Format&, std::int64_t*), std::size_t ray_operands,
+                       int finer = 0) {
   rtl::Design design = rtl::design_of<Pipeline>();
-  const rtl::Format format(proved_formats<typename Pipeline::Bits>(), rtl::Format(bits).numbers());
+  const Format format(proved_formats<typename Pipeline::Bits>(), Format(bits).numbers());
   design.default_format = format;
   return {design, format, bits.coord, finer, design.evaluate(format), set_up, ray_operands};
 }

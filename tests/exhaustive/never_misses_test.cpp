@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rays/exact/box_referee.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 #include "tests/exhaustive/narrow_unit.hpp"
 #include "tests/exhaustive/sweep.hpp"
 

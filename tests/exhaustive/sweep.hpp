@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "sw_ref/scene/aabb.hpp"
-#include "sw_ref/scene/ray.hpp"
+#include "rays/mesh/aabb.hpp"
+#include "rays/mesh/ray.hpp"
 
 namespace hitpipe::ref::exhaustive {
 

@@ -1,5 +1,5 @@
 // Adds what software knows of the foreign design; tests/main.cpp calls it where a program links it.
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "tests/foreign_design/foreign_design.hpp"
 
 namespace hitpipe {

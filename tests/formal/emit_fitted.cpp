@@ -170,7 +170,7 @@ std::string miter(const rtl::Graph& traced, const Instance& plain, const Instanc
 
 std::vector<rtl::File> files_of(const std::string& name, const std::string& bits, const std::string& set) {
   const rtl::Design& design = rtl::find_design(name);
-  const rtl::Format format = design.parse_format(bits);
+  const hitpipe::Format format = design.parse_format(bits);
   const rtl::Graph traced = design.trace(format);
   const rtl::DemandSet fit = formal::fitted_set(design, format, set);
   const rtl::Graph fitted = rtl::prune(traced, fit.demands, {.shares = false}).graph;

@@ -26,7 +26,7 @@ namespace {
 
 using namespace hitpipe;
 
-rtl::Graph fitted(const rtl::Design& design, rtl::Format format, const std::string& set) {
+rtl::Graph fitted(const rtl::Design& design, hitpipe::Format format, const std::string& set) {
   return rtl::prune(design.trace(format), formal::fitted_set(design, format, set).demands, {.shares = false})
       .graph;
 }
@@ -34,7 +34,7 @@ rtl::Graph fitted(const rtl::Design& design, rtl::Format format, const std::stri
 std::vector<rtl::File> files_of(const std::string& name, const std::string& given, const std::string& set,
                                 int interval) {
   const rtl::Design& design = rtl::find_design(name);
-  const rtl::Format bits = given.empty() ? design.default_format : design.parse_format(given);
+  const hitpipe::Format bits = given.empty() ? design.default_format : design.parse_format(given);
   const std::string format = to_string(bits);
   const bool whole =
       set.empty() || std::count(rtl::flow_control_names.begin(), rtl::flow_control_names.end(), set) > 0;

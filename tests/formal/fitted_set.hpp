@@ -11,7 +11,7 @@
 
 namespace hitpipe::formal {
 
-inline rtl::DemandSet fitted_set(const rtl::Design& design, rtl::Format format, const std::string& set) {
+inline rtl::DemandSet fitted_set(const rtl::Design& design, Format format, const std::string& set) {
   if (!set.ends_with(".json")) return rtl::demand_sets(design, format).at(std::stoul(set));
   rtl::DemandSet fitted{"as its manifest demands", rtl::demands_of_manifest(rtl::read_text(set))};
   if (fitted.demands.empty()) throw std::runtime_error(set + ": no demands");

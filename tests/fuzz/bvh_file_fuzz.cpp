@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sw_ref/hierarchy/load_bvh.hpp"
+#include "rays/tree/load_bvh.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #include "tests/fuzz/expect.hpp"
 #include "tests/sim/temporary_folder.hpp"
 

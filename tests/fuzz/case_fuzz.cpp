@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "rays/exact/box_referee.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "sim/check/box_test.hpp"
+#include "sim/software/box_test.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 #include "tests/fuzz/expect.hpp"
 
 namespace {

@@ -52,12 +52,12 @@ int parse(std::vector<std::string> words) {
   return exit_code;
 }
 
-void parse_format(const std::string& word) {
+void hitpipe::parse_format(const std::string& word) {
   for (const rtl::Design& design : rtl::designs()) {
     try {
-      const rtl::Format format = design.parse_format(word);
+      const hitpipe::Format format = design.parse_format(word);
       expect(format.valid(), "formats are valid");
-      expect(design.parse_format(rtl::to_string(format)) == format, "formats are printed as they are read");
+      expect(design.parse_format(to_string(format)) == format, "formats are printed as they are read");
     } catch (const std::runtime_error& error) {
       expect(!std::string(error.what()).empty(), "a message says what is wrong");
     }
@@ -69,6 +69,6 @@ void parse_format(const std::string& word) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::vector<std::string> words = words_of({reinterpret_cast<const char*>(data), size});
   static_cast<void>(parse(words));
-  for (const std::string& word : words) parse_format(word);
+  for (const std::string& word : words) hitpipe::parse_format(word);
   return 0;
 }

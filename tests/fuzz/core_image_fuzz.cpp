@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sw_ref/core/core_image.hpp"
+#include "rays/image/core_image.hpp"
 #include "sw_ref/core/image_scene.hpp"
 #include "tests/fuzz/expect.hpp"
 

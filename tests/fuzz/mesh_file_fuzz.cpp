@@ -10,10 +10,10 @@
 
 #include <glm/common.hpp>
 
-#include "sw_ref/judge/triangle_test.hpp"
-#include "sw_ref/mesh/mesh_file.hpp"
+#include "rays/exact/triangle_test.hpp"
+#include "rays/files/mesh_file.hpp"
+#include "rays/scene/scene.hpp"
 #include "sw_ref/scene/mesh_scene.hpp"
-#include "sw_ref/scene/scene.hpp"
 #include "tests/fuzz/expect.hpp"
 #include "tests/sim/temporary_folder.hpp"
 

@@ -5,7 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #include "tests/fuzz/expect.hpp"
 #include "tests/sim/temporary_folder.hpp"
 

@@ -12,9 +12,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/triangle_test.hpp"
+#include "rays/scene/scene.hpp"
 #include "sw_ref/render/camera.hpp"
-#include "sw_ref/scene/scene.hpp"
 #include "tests/fuzz/expect.hpp"
 
 namespace {

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/check/box_test.hpp"
-#include "sim/software.hpp"
-#include "sw_ref/judge/box_referee.hpp"
+#include "rays/exact/box_referee.hpp"
+#include "sim/software/box_test.hpp"
+#include "sim/software/software.hpp"
 #include "tests/library/cases.hpp"
 
 namespace hitpipe {
@@ -17,7 +17,7 @@ using testing::ElementsAreArray;
 /// The default format, and one that has no instance of its own.
 std::vector<std::string> formats_of(const rtl::Design& design) {
   std::vector<std::string> formats{to_string(design.default_format)};
-  const std::vector<rtl::Format>& swept = sim::software_of(design).sweep_formats;
+  const std::vector<Format>& swept = sim::software_of(design).sweep_formats;
   if (!swept.empty() && swept.front() != design.default_format) formats.push_back(to_string(swept.front()));
   return formats;
 }
@@ -88,7 +88,7 @@ TEST(LibraryAnswers, OfOperandsAloneAreTheResultsOfTheirTests) {
     for (const bool high : {false, true}) {
       std::vector<std::int64_t> ends;
       for (const rtl::Port& port : design.ports(design.default_format))
-        ends.push_back(high ? rtl::numbers_of(port).high : rtl::numbers_of(port).low);
+        ends.push_back(high ? numbers_of(port).high : numbers_of(port).low);
       operands.insert(operands.end(), ends.begin(), ends.end());
       results.resize(results.size() + evaluate.result_count());
       evaluate(ends.data(), &results[results.size() - evaluate.result_count()]);

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "tests/library/cases.hpp"
 #include "tests/message_of.hpp"
 

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 #include <hitpipe/scene.hpp>
 
-#include "sw_ref/core/core_image.hpp"
-#include "sw_ref/judge/float_crossing.hpp"
-#include "sw_ref/world/int_scene.hpp"
+#include "rays/exact/float_crossing.hpp"
+#include "rays/image/core_image.hpp"
+#include "rays/world/int_scene.hpp"
 #include "tests/library/scenes.hpp"
 #include "tests/message_of.hpp"
 

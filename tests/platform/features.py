@@ -4,8 +4,9 @@ files use its options, that is the fields of CoreOptions that its file reads. Fa
 uses none. Its own files, tests and pages do not count."""
 import pathlib
 import re
-import subprocess
 import sys
+
+import tree
 
 MOST = 2
 
@@ -29,11 +30,8 @@ def uses(text, field):
 
 
 def main(source):
-    listed = subprocess.run(["git", "ls-files", "*.cpp", "*.hpp", "*.in"], cwd=source, capture_output=True, text=True)
-    names = listed.stdout.split() or [str(path.relative_to(source)) for end in ("cpp", "hpp", "in")
-                                      for folder in ("hls", "rtl_gen", "sim", "sw_ref", "area_model", "cli", "library")
-                                      for path in (source / folder).rglob(f"*.{end}")]
-    texts = {name: (source / name).read_text() for name in names if not name.startswith(("tests/", "docs/"))}
+    texts = {name: (source / name).read_text() for name in tree.files(source)
+             if name.endswith((".cpp", ".hpp", ".in")) and not name.startswith(("tests/", "docs/"))}
     # Others have numbers with the same names.
     texts = {name: text for name, text in texts.items() if "CoreOptions" in text or "rtl_gen/core/" in text}
     known = fields(source)

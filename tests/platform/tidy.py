@@ -11,11 +11,12 @@ import shlex
 import subprocess
 import sys
 
+import tree
+
 root = pathlib.Path(__file__).resolve().parents[2]
 build = pathlib.Path(sys.argv[1]).resolve()
 jobs = int(sys.argv[2]) if len(sys.argv) > 2 else os.cpu_count()
-FOLDERS = re.compile(rf"{re.escape(str(root))}/({re.escape(str(build.relative_to(root)))}/)?"
-                     "(host|rtl_gen|area_model|sw_ref|sim|thesis|library|cli)/")
+FOLDERS = re.compile(rf"{re.escape(str(root))}/({re.escape(str(build.relative_to(root)))}/)?({'|'.join(tree.rooms(root))})/")
 # A unity file includes sources, which is what it is for.
 TIDY = ["clang-tidy", "--quiet", f"-p={build}", "--checks=-bugprone-suspicious-include"]
 

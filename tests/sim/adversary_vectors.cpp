@@ -1,7 +1,7 @@
 #include "tests/sim/adversary_vectors.hpp"
 
 #include "rtl_gen/emit/vectors.hpp"
-#include "sim/check/box_test.hpp"
+#include "sim/software/box_test.hpp"
 
 namespace hitpipe::sim {
 namespace {

@@ -1,8 +1,8 @@
 // Two small scenes made in code: hills under two lights, and the same seen by a camera outside the cube.
 #pragma once
 
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/tree/bvh.hpp"
 
 namespace hitpipe::sim {
 

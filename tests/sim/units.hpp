@@ -21,7 +21,7 @@ namespace hitpipe::sim {
 
 struct TestedUnit {
   std::string_view name;
-  rtl::Format format;
+  Format format;
 
   [[nodiscard]] const rtl::Design& design() const { return rtl::find_design(name); }
   [[nodiscard]] std::vector<rtl::Port> ports() const { return design().ports(format); }
@@ -40,14 +40,14 @@ struct TestedUnit {
 };
 
 inline std::vector<TestedUnit> units() {
-  const rtl::Format others[] = {hls::IntBits{24, 24}, hls::IntBits{16, 16}, hls::IntBits{12, 12},
-                                hls::IntBits{6, 6},   hls::IntBits{32, 63}, hls::MajorBits{8, 3, 6, -1},
-                                hls::FpBits{5, 10},   hls::FpBits{3, 2}};
+  const Format others[] = {hls::IntBits{24, 24}, hls::IntBits{16, 16}, hls::IntBits{12, 12},
+                           hls::IntBits{6, 6},   hls::IntBits{32, 63}, hls::MajorBits{8, 3, 6, -1},
+                           hls::FpBits{5, 10},   hls::FpBits{3, 2}};
   std::vector<TestedUnit> all;
   for (const rtl::Design& design : rtl::designs()) {
-    const rtl::Format& own = design.default_format;
+    const Format& own = design.default_format;
     all.push_back({design.name, own});
-    for (const rtl::Format& other : others)
+    for (const Format& other : others)
       if (&other.family() == &own.family() && other != own) all.push_back({design.name, other});
   }
   return all;
@@ -69,7 +69,7 @@ inline std::vector<TestedUnit> units_of_one_box() {
 
 /// The name of a test, for example "int_slabs_24_24" or "int_major_8_3_6fm1".
 inline std::string test_name(const TestedUnit& unit) {
-  std::string format = rtl::to_string(unit.format);
+  std::string format = to_string(unit.format);
   for (char& letter : format) {
     if (letter == '/' || letter == '+') letter = '_';
     if (letter == '-') letter = 'm';

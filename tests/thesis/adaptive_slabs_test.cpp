@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rays/exact/box_referee.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::thesis::adaptive_slabs_test {
 namespace {

@@ -12,8 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rays/exact/box_referee.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 #include "thesis/timing.hpp"
 #include "thesis/variants.hpp"
 #include "thesis/workload.hpp"

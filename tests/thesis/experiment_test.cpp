@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/render/recording.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #include "tests/message_of.hpp"
 #include "thesis/printed.hpp"
 

@@ -1,5 +1,7 @@
 // The core that every feature changes (docs/core.md): it traces integer rays from pins for their nearest or any hit, reads
 // blocks from memory one by one, and tests triangles in a unit.
+#include "rtl_gen/core/features/base.hpp"
+
 #include <array>
 #include <stdexcept>
 
@@ -13,7 +15,6 @@
 #include "hls/machines/replies.hpp"
 #include "hls/machines/requests.hpp"
 #include "rtl_gen/core/feature.hpp"
-#include "rtl_gen/core/features/base_axi.hpp"
 
 namespace hitpipe::rtl::features::base {
 
@@ -292,7 +293,8 @@ const Feature& feature() {
                                .axi = axi,
                                .records = records,
                                .identify = identify,
-                               .failures = failures()};
+                               .failures = failures(),
+                               .promises = promises()};
   return feature;
 }
 

@@ -1,6 +1,4 @@
 // The base core behind AXI: registers by AXI4-Lite, rays and answers by AXI4-Stream, blocks by AXI4.
-#include "rtl_gen/core/features/base_axi.hpp"
-
 #include <fmt/format.h>
 
 #include "hls/machines/beats.hpp"
@@ -8,6 +6,7 @@
 #include "hls/machines/epoch.hpp"
 #include "rtl_gen/core/axi_plan.hpp"
 #include "rtl_gen/core/feature.hpp"
+#include "rtl_gen/core/features/base.hpp"
 #include "rtl_gen/core/registers.hpp"
 
 namespace hitpipe::rtl::features::base {

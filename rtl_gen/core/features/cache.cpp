@@ -1,14 +1,14 @@
 // A cache in front of memory (hls/machines/cache.hpp): it reads lines, in place of the machine `requests`, which reads blocks.
-#include "rtl_gen/core/features/cache.hpp"
+#include "hls/machines/cache.hpp"
 
 #include <array>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "hls/machines/cache.hpp"
 #include "hls/num/bits.hpp"
 #include "rtl_gen/core/axi_plan.hpp"
+#include "rtl_gen/core/cache_options.hpp"
 #include "rtl_gen/core/feature.hpp"
 
 namespace hitpipe::rtl::features::cache {
@@ -153,27 +153,44 @@ std::vector<CoreOption> cache_options() {
 }  // namespace
 
 const Feature& feature() {
-  static const Feature feature{.name = "cache",
-                               .what = "a cache",
-                               .summary = "a cache in front of memory",
-                               .smallest = "--cache 2",
-                               .is_in = [](const CoreOptions& options) { return options.cache.kib != 0; },
-                               .options = cache_options(),
-                               .check = check,
-                               .change = change,
-                               .axi = axi,
-                               .registers = [](hls::RegisterBits& bits) { bits.cache = 1; },
-                               .identify =
-                                   [](CoreIdentity& identity, const CoreOptions& options) {
-                                     const auto& [kib, line, ways] = options.cache;
-                                     identity.put("cache_size", kib != 0 ? hls::count_bits(kib) : 0);
-                                     identity.put("short_lines", kib != 0 && line == 32 ? 1 : 0);
-                                     identity.put("eight_ways", kib != 0 && ways == 8 ? 1 : 0);
-                                   },
-                               .c_constant = "CACHE_KIB",
-                               .c_value = [](const CoreOptions& options) { return options.cache.kib; },
-                               .proved = "`cache` alone, of two sets, and `registers` with it",
-                               .tested = "the core with it; a hard reset with lines on their way"};
+  static const Feature feature{
+      .name = "cache",
+      .what = "a cache",
+      .summary = "a cache in front of memory",
+      .smallest = "--cache 2",
+      .is_in = [](const CoreOptions& options) { return options.cache.kib != 0; },
+      .options = cache_options(),
+      .check = check,
+      .change = change,
+      .axi = axi,
+      .registers = [](hls::RegisterBits& bits) { bits.cache = 1; },
+      .identify =
+          [](CoreIdentity& identity, const CoreOptions& options) {
+            const auto& [kib, line, ways] = options.cache;
+            identity.put("cache_size", kib != 0 ? hls::count_bits(kib) : 0);
+            identity.put("short_lines", kib != 0 && line == 32 ? 1 : 0);
+            identity.put("eight_ways", kib != 0 && ways == 8 ? 1 : 0);
+          },
+      .c_constant = "CACHE_KIB",
+      .c_value = [](const CoreOptions& options) { return options.cache.kib; },
+      .harness = "cache",
+      .promises =
+          {{"a block a ray, whatever comes first",
+            "cache",
+            "a5h10i2s1w4l2d256m1",
+            {{"s/beat_failed = .*;/beat_failed = beat_error;/", "the error of a first beat is forgotten"}}},
+           {"a block a ray, as memory has it",
+            "cache",
+            "a4h9i2s1w2l2d256",
+            {{"s/may_join = look_there & ~fills/may_join = look_there/", "a ray joins as the list is taken"},
+             {R"(s/takes_beat_and = ~gives_list \& ~empties/takes_beat_and = ~empties/)",
+              "beats while a list is given"},
+             {R"(s/value_and \& fill_error/value_and \& 1'b0/)", "a line with an error stays"}}},
+           {"each access once, with a cache",
+            "registers",
+            "a4h9i1c34k1",
+            {{R"(s/empties_r <= empties/empties_r <= empties \& ~writes/)"}}},
+           {.what = "a hard reset with lines on their way", .test = "PairedCore.PassesInAllTools"}}};
   return feature;
 }
 

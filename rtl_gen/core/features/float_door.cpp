@@ -57,8 +57,10 @@ const Feature& feature() {
       .change = change,
       .identify = [](CoreIdentity& identity,
                      const CoreOptions& options) { identity.put("floats", options.float_door ? 1 : 0); },
-      .proved = "nothing but the unit `int_ray` and the gate in `registers`",
-      .tested = "the core with it"};
+      .harness = "float_door",
+      .harness_otherwise = "int_door",
+      .promises = {{.what = "the core answers floats as it answers integers",
+                    .test = "CoreWithFloats.AnswersAsWithIntegers"}}};
   return feature;
 }
 

@@ -49,8 +49,11 @@ const Feature& feature() {
       .excludes = {{"cache", "blocks from memory"}},
       .change = change,
       .axi = axi,
-      .proved = "`read_meter` alone",
-      .tested = "the core with it"};
+      .promises = {{"a read as long as it took",
+                    "read_meter",
+                    "i1c3n3",
+                    {{"s/came <= read_valid/came <= read_valid | came/"}}},
+                   {.what = "the core with it", .test = "PairedCore.PassesInAllTools"}}};
   return feature;
 }
 

@@ -235,14 +235,33 @@ const Feature& feature() {
       .c_constant = "HAS_RINGS",
       .c_value = [](const CoreOptions& options) { return options.rings ? 1 : 0; },
       .c_header = c_header,
+      .harness = "rings",
+      .harness_otherwise = "streams",
       .failures = {{"a ray in memory cannot be read", "it fails: 1. Bit 16 of the status"},
                    {"an answer cannot be written to memory",
                     "register 0xb4 stops before it, and so does the core. Bit 17 of the status; "
                     "`core_answers()` says so"},
                    {"more rays are offered than a ring has places",
                     "none of them begins. Bit 18 of the status; `core_answers()` says so"}},
-      .proved = "`rings` and `registers` with them",
-      .tested = "the core with them; the identifier of `m_axi_ring` and what a hard reset leaves there"};
+      .promises = {{"rays and answers once, as they are",
+                    "rings",
+                    "h9g1t4d64",
+                    {{"s/spoilt_now = .*;/spoilt_now = rings_and_4;/"}}},
+                   {"rays and answers once, in wider beats",
+                    "rings",
+                    "h9g1t4d128",
+                    {{"s/four_rays_or_2 = .*;/four_rays_or_2 = held[4];/",
+                      "four rays, of which one has no room"}}},
+                   {"no ray is read without a place for its answer",
+                    "rings",
+                    "h10g1t4d128",
+                    {{"s/full_and_5 = .*;/full_and_5 = 0;/", "rays without an answer are not compared"}}},
+                   {"each access once, with rings",
+                    "registers",
+                    "a4h9i1c34r1",
+                    {{"s/next_offered_r_value = .*;/next_offered_r_value = next_offered_r_value_or_2;/"}}},
+                   {.what = "a hard reset, and the identifiers of `m_axi_ring`",
+                    .test = "PairedCore.PassesInAllTools"}}};
   return feature;
 }
 

@@ -63,8 +63,11 @@ const Feature& feature() {
             identity.put("serial", options.serial_triangle ? 1 : 0);
             identity.put("triangle_ii", interval_of(options));
           },
-      .proved = "the queue and the time of `serial_triangle`",
-      .tested = "its arithmetic, the core with it"};
+      .promises = {{"a triangle once, in bounded time",
+                    "serial_triangle",
+                    "8+0s8i1",
+                    {{R"(s/compares <= last/compares <= last \& best[0]/)"}}},
+                   {.what = "its arithmetic", .test = "SerialTriangleIn.GivesExactAnswersInOrder"}}};
   return feature;
 }
 

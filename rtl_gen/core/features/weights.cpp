@@ -91,8 +91,12 @@ const Feature& feature() {
       .identify = [](CoreIdentity& identity,
                      const CoreOptions& options) { identity.put("weights", options.weights ? 1 : 0); },
       .c_header = c_header,
-      .proved = "`weights` alone",
-      .tested = "the core with it"};
+      .harness = "weights",
+      .promises = {{"an answer has its best hit",
+                    "weights",
+                    "d25e25t4g1i1",
+                    {{R"(s/best_det\[ray_wanted\]/best_det[ray]/)"}}},
+                   {.what = "the core with them", .test = "PairedCore.PassesInAllTools"}}};
   return feature;
 }
 

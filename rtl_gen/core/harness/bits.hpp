@@ -14,6 +14,11 @@
   std::exit(1);
 }
 
+// Why a ray has failed.
+struct Why {
+  enum : uint64_t { no_ray = 1, steps, levels, outside, unread };
+};
+
 struct Random {
   uint64_t state;
   uint32_t operator()() {

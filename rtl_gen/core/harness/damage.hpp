@@ -14,32 +14,23 @@
 
 // Damage, and what the core says of it. The image is right before and after.
 inline void damage(System& system, Host& host) {
-  enum : uint64_t { no_ray = 1, steps, levels, outside, unread };
   const std::vector<Block> image = system.memory;
   const size_t some = 100;
-  host.trace(some, no_ray, true);
-#if CORE_HAS_RINGS
-  system.rings.errors = 8;
-  host.trace(some, no_ray);
-  system.rings.errors = 0;
-  for (int i = 0; i < 4; ++i) {
-    host.fail_a_write();
-    host.offer_too_many();
-  }
-  host.start(host.blocks());
-#endif
-  system.errors = has_cache ? 16 : 2;
+  host.trace(some, Why::no_ray, true);
+  system.episodes.each([&](auto& one) { one.damage(system, host); });
+  // A cache reads less.
+  system.errors = Episodes::hides_requests ? 16 : 2;
   system.forget();
-  host.trace(some, unread);
+  host.trace(some, Why::unread);
   system.errors = 0;
   host.start(host.blocks(), 4);
-  host.trace(some, steps);
+  host.trace(some, Why::steps);
   // Half of the image, and then with nothing in the other half.
   host.start(host.blocks() / 2);
-  host.trace(some, outside);
+  host.trace(some, Why::outside);
   for (size_t i = host.blocks() / 2; i < host.blocks(); ++i) system.memory[i] = {};
   host.start(host.blocks());
-  host.trace(some, unread);
+  host.trace(some, Why::unread);
   system.memory = image;
   // The last block that is one, and others: nothing behind it is read.
   uint64_t last = host.blocks() - 1;
@@ -49,26 +40,26 @@ inline void damage(System& system, Host& host) {
   for (int i = 0; i < 4; ++i) {
     if (last == 0) break;
     host.start(i == 0 ? last : 1 + system.random() % last);
-    host.trace(some / 4, outside, false, true);
+    host.trace(some / 4, Why::outside, false, true);
   }
   host.start(host.blocks());
   // The root leads to its own record.
   for (size_t byte = 20; byte < 24; ++byte) system.memory[0][byte] = 0;
   system.memory[0][24] = 255;
   system.forget();
-  host.trace(some, (1u << CORE_STEP_BITS) <= CORE_LEVELS ? steps : levels);
+  host.trace(some, (1u << CORE_STEP_BITS) <= CORE_LEVELS ? Why::steps : Why::levels);
   // To a block that the core cannot name, or that the image does not have.
   system.memory[0][23] = 0x80;
   system.forget();
-  host.trace(some, outside);
+  host.trace(some, Why::outside);
   system.memory = image;
   // The image of another grid, and the block of another kind.
   system.memory[0][31] ^= 1;
   system.forget();
-  host.trace(some, unread);
+  host.trace(some, Why::unread);
   system.memory[0][31] ^= 0x21;
   system.forget();
-  host.trace(some, unread);
+  host.trace(some, Why::unread);
   system.memory = image;
   system.forget();
   system.write(CORE_REG_BASE_LOW, 0x20);

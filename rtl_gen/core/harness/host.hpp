@@ -11,7 +11,6 @@
 #include "bits.hpp"
 #include "core.hpp"
 #include "doors.hpp"
-#include "rings.hpp"
 #include "scene.hpp"
 #include "system.hpp"
 
@@ -34,12 +33,7 @@ class Host {
     system_.write(CORE_REG_LAST_BLOCK, static_cast<uint32_t>(blocks - 1));
     system_.write(CORE_REG_MOST_STEPS, steps);
     system_.write(CORE_REG_MOST_RAYS, rays);
-#if CORE_CACHE_KIB
-    system_.write(CORE_REG_MOST_LINES, 1 + system_.random() % 12);
-#endif
-#if CORE_HAS_RINGS
-    start_rings();
-#endif
+    system_.episodes.each([&](auto& one) { one.start(system_); });
     system_.write(CORE_REG_CLEAR_COUNTERS, 0);
   }
   // Sends so many rays, and compares the answers. Where something is wrong, `why` is why a ray may fail. If
@@ -66,10 +60,7 @@ class Host {
     uint32_t status = CORE_IDLE;
     if (failed != 0) status |= CORE_FAILED(why);
     if (system_.errors_given != 0) status |= CORE_BUS_ERROR;
-#if CORE_HAS_RINGS
-    if (system_.rings.errors_given != 0) status |= CORE_RING_ERROR;
-    system_.rings.errors_given = 0;
-#endif
+    system_.episodes.each([&](auto& one) { status |= one.status(); });
     system_.errors_given = 0;
     if (system_.read(CORE_REG_STATUS) != status) fail("the status, register", CORE_REG_STATUS);
     if (system_.counter(CORE_COUNT_RAYS) != count) fail("the counter of rays, register", CORE_COUNT_RAYS);
@@ -86,19 +77,7 @@ class Host {
     if (is_whole && system_.counter(CORE_COUNT_TRIANGLES) != triangles)
       fail("triangles that rays read, register", CORE_COUNT_TRIANGLES);
     if (system_.counter(CORE_COUNT_HITS) != hits) fail("the counter of hits, register", CORE_COUNT_HITS);
-#if CORE_CACHE_KIB
-    const uint64_t found = system_.counter(CORE_COUNT_CACHE_HITS) + system_.counter(CORE_COUNT_CACHE_JOINS);
-    if (found + system_.counter(CORE_COUNT_CACHE_LINES) !=
-        system_.counter(CORE_COUNT_RECORDS) + system_.counter(CORE_COUNT_TRIANGLES))
-      fail("hits, joins and lines of the cache are not what rays read, register", CORE_COUNT_CACHE_HITS);
-    // In each cycle a ray asks for nothing, is refused, or is granted. Some cycles pass while the counters are read.
-    const uint64_t asked = system_.counter(CORE_COUNT_RECORDS) + system_.counter(CORE_COUNT_TRIANGLES) +
-                           system_.counter(CORE_COUNT_REFUSED);
-    const uint64_t before = system_.counter(CORE_COUNT_CYCLES), idle = system_.counter(CORE_COUNT_IDLE),
-                   after = system_.counter(CORE_COUNT_CYCLES);
-    if (asked + idle < before || asked + idle > after)
-      fail("cycles with a question or none are not all, register", CORE_COUNT_IDLE);
-#endif
+    system_.episodes.each([&](auto& one) { one.check_counters(system_); });
     system_.write(CORE_REG_STATUS, 0xffffffffu);
     if (system_.read(CORE_REG_STATUS) != CORE_IDLE) fail("the status stays, register", CORE_REG_STATUS);
     system_.write(CORE_REG_CLEAR_COUNTERS, 0);
@@ -151,60 +130,10 @@ class Host {
     system_.write(CORE_REG_STATUS, 0xffffffffu);
     system_.write(CORE_REG_CLEAR_COUNTERS, 0);
   }
-#if CORE_HAS_RINGS
-  // Rays run until an answer could not be written. No answer passes it, and only a reset goes on.
-  void fail_a_write() {
-    start(blocks_);
-    trace(1);
-    system_.rings.writes_left = static_cast<int>(system_.random() % 8);
-    for (int i = 0; !system_.rings.has_failed(); ++i) {
-      if (i > 100'000) fail("no answer is written; answered", answered_);
-      cycle(answered_ + CORE_RAYS, 0, false);
-    }
-    for (int i = 0; i < 3'000; ++i) cycle(sent_, 0, false);
-    quiet();
-    // It is true as long as it is so.
-    system_.write(CORE_REG_STATUS, 0xffffffffu);
-    if ((system_.read(CORE_REG_STATUS) & ~CORE_IDLE) != CORE_UNWRITTEN)
-      fail("the status behind an answer that is not written, register", CORE_REG_STATUS);
-    stop();
-  }
-  // More rays are offered than a ring has places: none of them begins.
-  void offer_too_many() {
-    start(blocks_);
-    trace(1 + system_.random() % 20);
-    system_.write(CORE_REG_OFFERED, system_.rings.too_many(1 + system_.random() % 0x7000));
-    for (int i = 0; i < 500; ++i) system_.step();
-    system_.write(CORE_REG_STATUS, 0xffffffffu);
-    if ((system_.read(CORE_REG_STATUS) & ~CORE_IDLE) != CORE_OVERFULL)
-      fail("the status when too many rays are offered, register", CORE_REG_STATUS);
-    stop();
-  }
-#endif
-  uint64_t blocks() const {
-    return blocks_;
-  }
-
- private:
-  void end_reset() {
-    system_.registers.end_reset();
-#if CORE_HAS_RINGS
-    if (system_.rings.is_busy())
-      fail("rings are read or written after a soft reset, register", CORE_REG_STATUS);
-    system_.rings.reset(false);
-#endif
-  }
-#if CORE_HAS_RINGS
-  void start_rings() {
-    system_.rings.place(system_.random);
-    const uint64_t rays = system_.rings.rays_at, answers = system_.rings.answers_at;
-    system_.write(CORE_REG_RAYS_LOW, static_cast<uint32_t>(rays));
-    system_.write(CORE_REG_RAYS_HIGH, static_cast<uint32_t>(rays >> 32));
-    system_.write(CORE_REG_ANSWERS_LOW, static_cast<uint32_t>(answers));
-    system_.write(CORE_REG_ANSWERS_HIGH, static_cast<uint32_t>(answers >> 32));
-    system_.write(CORE_REG_RING_LAST, Rings::places - 1);
-  }
-#endif
+  uint64_t blocks() const { return blocks_; }
+  size_t sent() const { return sent_; }
+  size_t answered() const { return answered_; }
+  // Nothing is offered, and no answer is taken.
   void quiet() {
     system_.doors.s_axis_ray_tvalid = 0;
     system_.doors.m_axis_hit_tready = 0;
@@ -212,10 +141,7 @@ class Host {
   // One clock cycle. Rays have gaps now and then, and an answer may wait. Returns whether one came.
   bool cycle(size_t count, uint64_t why, bool spoils, bool takes = true) {
     Doors& doors = system_.doors;
-#if CORE_HAS_RINGS
-    // The core is told of rays now and then, and the host asks for an interrupt at some answer.
-    system_.rings.announce(system_.lite, system_.random);
-#endif
+    system_.episodes.each([&](auto& one) { one.announce(system_.lite, system_.random); });
     // A ray that was offered stays until it is taken.
     if (!doors.s_axis_ray_tvalid || taken_) offers_ = !system_.random.one_in(4);
     doors.s_axis_ray_tvalid = offers_ && sent_ < count && !free_tags_.empty();
@@ -223,8 +149,8 @@ class Host {
     if (doors.s_axis_ray_tvalid) {
       doors.s_axis_ray_tid =
           static_cast<std::remove_reference_t<decltype(doors.s_axis_ray_tid)>>(free_tags_.front());
-      const core_ray& given = rays_[sent_].ray;
-      const core_ray ray = spoils && sent_ % 3 == 0 ? spoilt(given) : given;
+      core_ray ray = rays_[sent_].ray;
+      if (spoils && sent_ % 3 == 0) Episodes::spoil(ray);
       uint8_t bytes[CORE_RAY_BYTES];
       core_pack_ray(bytes, &ray);
       put_bytes(doors.s_axis_ray_tdata, bytes, CORE_RAY_BYTES);
@@ -238,6 +164,12 @@ class Host {
     if (comes) take(why, spoils);
     system_.step();
     return comes;
+  }
+
+ private:
+  void end_reset() {
+    system_.registers.end_reset();
+    system_.episodes.each([](auto& one) { one.end_reset(); });
   }
   void take(uint64_t why, bool spoils) {
     const core_hit hit = hit_of(system_.doors);

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <deque>
+#include <iterator>
 
 #include "bits.hpp"
 #include "core.hpp"
-#include "doors.hpp"
+
+constexpr uint32_t first_unused_register = (std::end(register_words) - 1)->at + 4;
 
 // Who writes and reads the registers. Addresses and words come in any order, answers wait now and then, and words that
 // nobody has asked for are read and written in between.

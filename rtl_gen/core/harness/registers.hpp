@@ -5,11 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 
 #include "bits.hpp"
 #include "core.hpp"
 #include "doors.hpp"
+#include "features.hpp"
 
 // What the registers say and let pass, by what has passed in all cycles before.
 class Registers {
@@ -20,14 +20,16 @@ class Registers {
   uint64_t last() const { return word(CORE_REG_LAST_BLOCK); }
   uint64_t most_rays() const { return word(CORE_REG_MOST_RAYS); }
   bool resetting() const { return resetting_; }
-  void end_reset() {
-    resets_ = true;
-#if CORE_HAS_RINGS
-    answered_ = 0;
-#endif
+  bool had_ray() const { return had_ray_; }
+  uint64_t flying() const { return flying_; }
+  uint32_t& word(uint32_t at) { return words_[at / 4]; }
+  uint32_t word(uint32_t at) const { return words_[at / 4]; }
+  void count(uint32_t counter, bool happens) {
+    if (happens && ++word(counter) == 0) ++word(counter + 4);
   }
+  void end_reset() { resets_ = true; }
   // In a cycle. What does not stand in `top` is an output.
-  void compare(const Top& top, const Doors& doors) const {
+  void compare(const Top& top, const Doors& doors, const Episodes& episodes) const {
     const auto same = [](bool is, const char* what) {
       if (!is) fail(what, 0);
     };
@@ -39,18 +41,17 @@ class Registers {
     if (gives_ && (top.s_axi_rdata & known_) != (given_ & known_))
       fail("what is read of register", uint64_t{given_place_} * 4);
     same(ends_unseen || !resetting_ || !doors.s_axis_ray_tready, "a soft reset takes a ray;");
-    same(has_rings || most_rays() != 0 || !doors.s_axis_ray_tready, "a ray is taken while none may begin;");
-    same(has_cache || lets_requests_ || !top.m_axi_arvalid, "a soft reset asks for a block;");
-    same(has_rings || lets_answers_ || !doors.m_axis_hit_tvalid, "a soft reset gives an answer;");
+    same(Episodes::hides_rays || most_rays() != 0 || !doors.s_axis_ray_tready,
+         "a ray is taken while none may begin;");
+    same(Episodes::hides_requests || lets_requests_ || !top.m_axi_arvalid, "a soft reset asks for a block;");
+    same(Episodes::hides_rays || lets_answers_ || !doors.m_axis_hit_tvalid, "a soft reset gives an answer;");
     // Rays in front of the door have no number yet.
     same(CORE_PORTS >> 24 & 1 || flying_ <= most_given_, "more rays than the register lets in;");
     same(flying_ != 0 || !doors.m_axis_hit_tvalid, "an answer of no ray;");
-#if CORE_HAS_RINGS
-    same(resetting_ || top.irq == interrupts_, "the interrupt;");
-#endif
+    episodes.each([&](const auto& one) { one.compare(top, *this); });
   }
   // Its end. A block comes, or has an error, one cycle after its last beat if it is put together from beats.
-  void step(const Top& top, const Doors& doors, bool block_comes, bool block_error) {
+  void step(const Top& top, const Doors& doors, Episodes& episodes, bool block_comes, bool block_error) {
     if (!top.aresetn) {
       *this = Registers();
       return;
@@ -69,7 +70,7 @@ class Registers {
     if (reads) {
       given_ = word_at(read_place_ * 4);
       given_place_ = read_place_;
-      known_ = known_at(read_place_ * 4);
+      known_ = known_at(episodes, read_place_ * 4);
     }
     gives_ = reads || (gives_ && !top.s_axi_rready);
     if (!has_read_) read_place_ = top.s_axi_araddr / 4;
@@ -92,16 +93,7 @@ class Registers {
     count(CORE_COUNT_TRIANGLES, asked && (asked_id(top) & ray_numbers) != 0);
     count(CORE_COUNT_IDLE, !top.m_axi_arvalid);
     count(CORE_COUNT_REFUSED, top.m_axi_arvalid && !top.m_axi_arready);
-#if CORE_CACHE_KIB
-    count(CORE_COUNT_CACHE_LINES, asked);
-#endif
-#if CORE_HAS_RINGS
-    const uint64_t interrupt = word(CORE_REG_INTERRUPT);
-    interrupts_ =
-        (interrupt & interrupt_enable) != 0 && ((answered_ - interrupt) & ring_counts) <= ring_counts / 2;
-    answered_ += doors.stored;
-    counts_known_ = at == CORE_REG_CLEAR_COUNTERS || (counts_known_ && !resetting_);
-#endif
+    episodes.each([&](auto& one) { one.count(*this, top, at); });
     for (const RegisterWord& each : register_words) write(each, at, mask);
     most_given_ = resets_ ? 0 : std::min(std::max(most_rays(), most_given_), ray_numbers);
     if (at == CORE_REG_STATUS) sticky_ &= ~ones;
@@ -128,15 +120,6 @@ class Registers {
   }
 
  private:
-  uint32_t& word(uint32_t at) {
-    return words_[at / 4];
-  }
-  uint32_t word(uint32_t at) const {
-    return words_[at / 4];
-  }
-  void count(uint32_t counter, bool happens) {
-    if (happens && ++word(counter) == 0) ++word(counter + 4);
-  }
   // What a cycle makes of a word; in it the bits of `mask` are written at `at`.
   void write(const RegisterWord& of, uint32_t at, uint32_t mask) {
     uint32_t& old = word(of.at);
@@ -146,38 +129,17 @@ class Registers {
     if (resets || (of.is_counter && at == CORE_REG_CLEAR_COUNTERS)) old = 0;
   }
   // Bits of a word that what passes outside tells.
-  uint32_t known_at(uint32_t at) const {
-    if (CORE_HAS_ONE_ID && !has_cache && (at == CORE_COUNT_RECORDS || at == CORE_COUNT_TRIANGLES)) return 0;
-#if CORE_CACHE_KIB
-    for (const uint32_t counter :
-         std::initializer_list<uint32_t>{CORE_COUNT_RECORDS, CORE_COUNT_TRIANGLES, CORE_COUNT_IDLE,
-                                         CORE_COUNT_REFUSED, CORE_COUNT_CACHE_HITS, CORE_COUNT_CACHE_JOINS})
-      if (at / 8 == counter / 8) return counter != CORE_COUNT_IDLE && !had_ray_ ? ~uint32_t{0} : 0;
-    if (at == CORE_REG_STATUS)
-      return ~(CORE_BUS_ERROR | (resetting_ ? CORE_RESETTING | CORE_IDLE : 0)) & known_of_rays(at);
-#endif
-    return known_of_rays(at);
-  }
-  // Nobody outside sees rays begin and answers leave on their way from and to rings.
-  uint32_t known_of_rays([[maybe_unused]] uint32_t at) const {
-#if CORE_HAS_RINGS
-    const bool quiet = flying_ == 0 && !resetting_;
-    const bool waits = ((word(CORE_REG_OFFERED) ^ answered_) & ring_counts) != 0;
-    if (at == CORE_REG_STATUS)
-      return quiet ? ~(CORE_RING_ERROR | CORE_UNWRITTEN | CORE_OVERFULL | (waits ? CORE_IDLE : 0)) : 0;
-    if (resetting_ && (at == CORE_REG_OFFERED || at == CORE_REG_ANSWERED)) return 0;
-    for (const uint32_t counter :
-         std::initializer_list<uint32_t>{CORE_COUNT_RAYS, CORE_COUNT_ANSWERS, CORE_COUNT_HITS})
-      if (at / 8 == counter / 8) return quiet && counts_known_ ? ~uint32_t{0} : 0;
-#endif
-    return ~uint32_t{0};
+  uint32_t known_at(const Episodes& episodes, uint32_t at) const {
+    if (CORE_HAS_ONE_ID && !Episodes::hides_requests &&
+        (at == CORE_COUNT_RECORDS || at == CORE_COUNT_TRIANGLES))
+      return 0;
+    uint32_t known = ~uint32_t{0};
+    episodes.each([&](const auto& one) { known &= one.known(*this, at); });
+    return known;
   }
   uint32_t word_at(uint32_t at) const {
     if (at == CORE_REG_STATUS)
       return sticky_ | (resetting_ ? CORE_RESETTING : 0) | (flying_ == 0 && !resetting_ ? CORE_IDLE : 0);
-#if CORE_HAS_RINGS
-    if (at == CORE_REG_ANSWERED) return static_cast<uint32_t>(answered_ & ring_counts);
-#endif
     return word(at);
   }
 
@@ -189,8 +151,4 @@ class Registers {
   uint64_t most_given_ = 0, flying_ = 0, reading_ = 0;
   bool resetting_ = false, resets_ = false, lets_requests_ = true, lets_answers_ = true;
   bool block_comes_ = false, block_error_ = false;
-#if CORE_HAS_RINGS
-  uint64_t answered_ = 0;
-  bool interrupts_ = false, counts_known_ = true;
-#endif
 };

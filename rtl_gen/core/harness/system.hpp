@@ -11,9 +11,9 @@
 #include "bits.hpp"
 #include "core.hpp"
 #include "doors.hpp"
+#include "features.hpp"
 #include "lite.hpp"
 #include "registers.hpp"
-#include "rings.hpp"
 #include "scene.hpp"
 
 class System {
@@ -26,12 +26,8 @@ class System {
   uint64_t errors_given = 0;
   Random random;
   Top top;
-#if CORE_HAS_RINGS
-  Rings rings;
-  Doors& doors = rings.doors;
-#else
-  Doors& doors = top;
-#endif
+  Episodes episodes;
+  Doors& doors = episodes.get<DoorsOwner>().doors(top);
   Lite lite;
   Registers registers;  // what they must say
 
@@ -46,9 +42,7 @@ class System {
     if (CORE_HAS_ONE_ID) reads_.clear();
     for (Read& read : reads_) read.is_old = true;
     lite = Lite();
-#if CORE_HAS_RINGS
-    rings.reset(!CORE_HAS_ONE_ID);
-#endif
+    episodes.each([](auto& one) { one.reset(); });
     top.s_axi_awvalid = top.s_axi_wvalid = top.s_axi_arvalid = doors.s_axis_ray_tvalid = 0;
     for (top.aresetn = 0; cycles > 0; --cycles) step();
     top.aresetn = 1;
@@ -98,13 +92,11 @@ class System {
       top.m_axi_rlast = random() % 2;
       show_id(top, random() & static_cast<uint32_t>(ray_numbers * 8 - 1));
     }
-#if CORE_HAS_RINGS
-    rings.show(top, random, cycle_);
-#endif
+    episodes.each([&](auto& one) { one.show(top, random, cycle_); });
     top.aclk = 0;
     top.eval();
     check_offers();
-    if (top.aresetn) registers.compare(top, doors);
+    if (top.aresetn) registers.compare(top, doors, episodes);
     bool comes = false, has_error = false;
     if (top.m_axi_rvalid && top.m_axi_rready) {
       Read& read = reads_[0];
@@ -125,10 +117,8 @@ class System {
       read.bad_beat = random() % beats;
       read.id = asked_id(top);
     }
-    registers.step(top, doors, comes, has_error);
-#if CORE_HAS_RINGS
-    if (top.aresetn) rings.step(top, random, cycle_);
-#endif
+    registers.step(top, doors, episodes, comes, has_error);
+    if (top.aresetn) episodes.each([&](auto& one) { one.step(top, random, cycle_); });
     const Lite::Taken taken = top.aresetn ? lite.take(top) : Lite::Taken{};
     top.aclk = 1;
     top.eval();
@@ -145,20 +135,15 @@ class System {
     if (random.one_in(4))
       first_block = (~uint64_t{0} >> (64 - CORE_ADDRESS_BITS) >> 6 << 1) - uint64_t{random() % 8} * 2;
   }
-  size_t reads_on_their_way() const {
-    return reads_.size();
-  }
+  size_t reads_on_their_way() const { return reads_.size(); }
   bool is_quiet() const {
-#if CORE_HAS_RINGS
-    if (rings.is_busy()) return false;
-#endif
-    return reads_.empty();
+    bool is = reads_.empty();
+    episodes.each([&](const auto& one) { is = is && !one.is_busy(); });
+    return is;
   }
-  // A cache is told that memory has changed.
+  // Memory has changed.
   void forget() {
-#if CORE_CACHE_KIB
-    lite.ask_write(CORE_REG_CONTROL, CORE_EMPTY_CACHE, 15);
-#endif
+    episodes.each([&](auto& one) { one.forget(lite); });
   }
 
  private:

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "sw_ref/judge/box_referee.hpp"
+#include "rays/exact/box_referee.hpp"
 
 namespace hitpipe::ref::adversary {
 

@@ -1,13 +1,13 @@
 // Rays and boxes that are likely to break ray-box tests, by named category (sections 6.2 and 6.3). They serve
-// in tests and for judging a design. The referee accepts every case (sw_ref/judge/box_referee.hpp).
+// in tests and for judging a design. The referee accepts every case (rays/exact/box_referee.hpp).
 #pragma once
 
 #include <span>
 #include <string_view>
 
+#include "rays/mesh/aabb.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
-#include "sw_ref/scene/aabb.hpp"
 
 namespace hitpipe::ref::adversary {
 

@@ -1,5 +1,5 @@
 // Coordinates at the ends of the integer grid, at its steps and ties, and far below its unit.
-#include "sw_ref/quantise/grid.hpp"
+#include "rays/exact/grid.hpp"
 
 #include <array>
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "rays/exact/binary32.hpp"
+#include "rays/exact/box_referee.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
-#include "sw_ref/judge/binary32.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::ref::adversary {
 

@@ -83,7 +83,7 @@ TEST(MeasuredUnits, OfEveryDesignAreCompared) {
   ASSERT_EQ(planned.exit_code, 0) << planned.err;
   for (const rtl::Design& design : rtl::designs()) {
     const std::string unit =
-        fmt::format("osu018 timed {} {} ", design.name, rtl::to_string(design.default_format));
+        fmt::format("osu018 timed {} {} ", design.name, to_string(design.default_format));
     EXPECT_NE(planned.out.find(unit), std::string::npos) << unit;
   }
   EXPECT_NE(planned.out.find("thesis_250nm timed int_plucker 20/24 measured\n"), std::string::npos);

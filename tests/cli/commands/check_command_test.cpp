@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "tests/cli/program.hpp"
 
@@ -224,7 +224,7 @@ TEST(CheckSafe, JudgesAllDesignsThatNeverMissInOneTable) {
   for (const rtl::Design& design : rtl::designs()) {
     if (!design.kind.of_boxes || !design.conservative) continue;
     EXPECT_THAT(lines.at(at), StartsWith(std::string(design.name) + " "));
-    EXPECT_THAT(lines.at(at + 1), StartsWith(rtl::to_string(design.default_format) + " "));
+    EXPECT_THAT(lines.at(at + 1), StartsWith(to_string(design.default_format) + " "));
     for (const auto& category : ref::adversary::categories())
       EXPECT_THAT(lines.at(at++), HasSubstr(" " + std::string(category.name) + " "));
     at += sim::software_of(design).categories.size();
@@ -289,8 +289,8 @@ TEST(CheckStiff, PrintsATableForEachDesignThatNeverMisses) {
     ASSERT_LT(at + 2 * ratios + 2, lines.size()) << design.name;
     EXPECT_EQ(lines[at], std::string(design.name) + ": false hits, % of the boxes that the ray misses");
     std::string head = "ratio  ";
-    for (const rtl::Format& format : sim::stiffness_formats(design))
-      head += fmt::format(" {:<8}", rtl::to_string(format));
+    for (const Format& format : sim::stiffness_formats(design))
+      head += fmt::format(" {:<8}", to_string(format));
     EXPECT_EQ(lines[at + 1], head.erase(head.find_last_not_of(' ') + 1));
     EXPECT_THAT(lines[at + 2], StartsWith("2^0 "));
     EXPECT_THAT(lines[at + 3], StartsWith("+-95 % "));

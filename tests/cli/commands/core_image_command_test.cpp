@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sw_ref/core/core_image.hpp"
+#include "rays/image/core_image.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "tests/cli/program.hpp"
 

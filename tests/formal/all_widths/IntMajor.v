@@ -72,7 +72,7 @@ Definition meets (ray : Ray) (box : Box) : Prop :=
 Definition is_major (major : Axis) (ray : Ray) : Prop :=
   forall k, (Qabs (direction ray k) <= Qabs (direction ray major))%Q.
 
-(* ---- Ray set-up: sw_ref/quantise/int_major_ray.cpp, grid.hpp ---- *)
+(* ---- Ray set-up: rays/world/int_major_ray.cpp, grid.hpp ---- *)
 
 Definition negative (c : Q) : bool := negb (Qle_bool 0 c).
 
@@ -151,7 +151,7 @@ Definition set_up_to (cap : Z) f (major : Axis) (ray : Ray) : MajorRay :=
 
 Definition set_up f := set_up_to (largest_exponent f) f.
 
-(* ---- Boxes: sw_ref/quantise/int_box.cpp ---- *)
+(* ---- Boxes: rays/world/int_box.cpp ---- *)
 
 Record MajorPlanes := { xmin : Z; xmax : Z; ymin : Z; ymax : Z; zmin : Z; zmax : Z }.
 

@@ -17,11 +17,11 @@
 #include "hls/num/domain.hpp"
 #include "hls/num/sized.hpp"
 #include "hls/pipelines/int_major.hpp"
-#include "sw_ref/judge/binary32.hpp"
-#include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/quantise/int_major_ray.hpp"
-#include "sw_ref/scene/aabb.hpp"
-#include "sw_ref/scene/ray.hpp"
+#include "rays/exact/binary32.hpp"
+#include "rays/mesh/aabb.hpp"
+#include "rays/mesh/ray.hpp"
+#include "rays/world/int_box.hpp"
+#include "rays/world/int_major_ray.hpp"
 
 namespace {
 

@@ -115,7 +115,7 @@ if [[ $(wc -l <assumptions) -ne ${#theorems[@]} ]] || grep -qvx "$closed" assump
 fi
 for theorem in "${theorems[@]}"; do printf '%-44s %s\n' "$theorem" "$closed"; done
 
-sources=("$root"/sw_ref/quantise/{int_major_ray,major_quotient,int_box,ray_check}.cpp)
+sources=("$root"/rays/{exact/major_quotient,world/{int_major_ray,int_box,ray_check}}.cpp)
 "${CXX:-c++}" -std=c++20 -O1 -I"$root" "$here/emit_cases.cpp" "${sources[@]}" -lfmt -o emit_cases
 ./emit_cases "$cases" >Cases.v
 compile Cases | tr '\n' ' ' | sed 's/ = /\n/g' |

@@ -18,14 +18,14 @@ namespace {
 constexpr int vector_count = 20'000;
 constexpr std::uint64_t seed = 91;
 
-rtl::Format format_of(const rtl::Design& design, const std::string& text) {
-  const rtl::FormatFamily& family = design.default_format.family();
+hitpipe::Format format_of(const rtl::Design& design, const std::string& text) {
+  const hitpipe::FormatFamily& family = design.default_format.family();
   const auto numbers = family.parse(text);
-  return numbers && family.valid(*numbers) ? rtl::Format(family, *numbers) : design.default_format;
+  return numbers && family.valid(*numbers) ? hitpipe::Format(family, *numbers) : design.default_format;
 }
 
 /// Half of the vectors hit.
-std::string vectors_of(const rtl::Design& design, const rtl::Format& format) {
+std::string vectors_of(const rtl::Design& design, const hitpipe::Format& format) {
   const std::vector<rtl::Port> ports = design.ports(format);
   rtl::DrawVectors draw(ports, {}, design.evaluate(format), seed);
   std::vector<rtl::Vector> vectors;
@@ -37,7 +37,7 @@ std::vector<host::File> tops_and_program(const std::string& text) {
   std::vector<host::File> files;
   std::string includes = "#include \"hls/top/csim.hpp\"\n", calls;
   for (const rtl::Design& design : rtl::designs()) {
-    const rtl::Format format = format_of(design, text);
+    const hitpipe::Format format = format_of(design, text);
     const std::string module(design.name);
     if (design.source.pipeline.empty()) {
       const std::string text_of_none = fmt::format("// {} has no top function.\n", module);

@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/format.hpp"
 #include "rtl_gen/board/board.hpp"
 #include "rtl_gen/board/top.hpp"
-#include "rtl_gen/catalogue/format.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/text.hpp"
 #include "tests/rtl_gen/tool.hpp"

@@ -1,12 +1,16 @@
 // The harness of a core: its files are those of the tree, and compile without a warning around cores of all kinds.
 #include <filesystem>
 #include <map>
+#include <string>
+#include <string_view>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "rtl_gen/core/axi.hpp"
 #include "rtl_gen/core/c_header.hpp"
+#include "rtl_gen/core/feature.hpp"
 #include "rtl_gen/core/system.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
@@ -27,7 +31,28 @@ TEST(CoreHarness, HasTheFilesOfTheTree) {
   for (const host::File& file : system_program(make_core(small({}), Library::thesis(), "mine")))
     written[file.name] = file.contents;
   EXPECT_EQ(written.erase("tb/mine_axi_harness/core.hpp"), 1U);
+  EXPECT_EQ(written.erase("tb/mine_axi_harness/features.hpp"), 1U);
   EXPECT_EQ(written, expected);
+}
+
+// What differs from core to core is in the file of a feature, and no file asks which core it is in.
+TEST(CoreHarness, HasAFileOfEachFeatureThatNamesOne) {
+  std::map<std::string, std::string> files;
+  for (const host::File& file : system_program(make_core(small({}), Library::thesis(), "mine"))) {
+    EXPECT_THAT(file.contents, testing::Not(testing::HasSubstr("\n#if"))) << file.name;
+    files[file.name] = file.contents;
+  }
+  const std::string& features = files.at("tb/mine_axi_harness/features.hpp");
+  for (const Feature* const each : all_features()) {
+    for (const std::string_view name : {each->harness, each->harness_otherwise}) {
+      if (name.empty()) continue;
+      EXPECT_TRUE(files.contains(fmt::format("tb/mine_axi_harness/{}.hpp", name))) << name;
+      // A core of the base alone has what stands in.
+      EXPECT_EQ(features.find(fmt::format("\"{}.hpp\"", name)) != std::string::npos,
+                name == each->harness_otherwise)
+          << name;
+    }
+  }
 }
 
 struct Kind {

@@ -16,14 +16,14 @@ int main(int argc, char** argv) {
   try {
     if (argc != 2) throw std::runtime_error("usage: emit_all FOLDER");
     for (const Design& design : designs()) {
-      const Format& usual = design.default_format;
+      const hitpipe::Format& usual = design.default_format;
       const std::vector<std::string> formats =
           usual.is<hitpipe::hls::IntBits>()
               ? std::vector<std::string>{"24/24", "20/24", "16/16", "6/11", "32/63"}
           : usual.is<hitpipe::hls::MajorBits>() ? std::vector<std::string>{"20+1/13", "8+3/6f-1"}
                                                 : std::vector<std::string>{to_string(usual)};
       for (std::string folder : formats) {
-        const Format format = design.parse_format(folder);
+        const hitpipe::Format format = design.parse_format(folder);
         std::replace(folder.begin(), folder.end(), '/', '_');
         const Pipeline pipeline = make_pipeline(design.trace(format), Library::thesis());
         std::vector<File> files =

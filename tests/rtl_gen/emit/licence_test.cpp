@@ -6,7 +6,7 @@
 
 #include "rtl_gen/core/files.hpp"
 #include "rtl_gen/emit/files.hpp"
-#include "rtl_gen/machine/files.hpp"
+#include "rtl_gen/emit/machine_files.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 
 namespace hitpipe::rtl::licence_test {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "rtl_gen/graph/canonical.hpp"
+#include "rtl_gen/graph/rewrite.hpp"
 #include "rtl_gen/prune/demands.hpp"
-#include "rtl_gen/prune/rewrite.hpp"
 
 namespace hitpipe::rtl {
 

@@ -14,7 +14,8 @@ double percent(std::int64_t part, std::int64_t whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::int64_t area_um2(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl::Format& format) {
+std::int64_t area_um2(const rtl::Pipeline& pipeline, const rtl::Design& design,
+                      const hitpipe::Format& format) {
   return area::price(pipeline, design, format, rtl::Library::thesis()).area_um2;
 }
 
@@ -27,7 +28,7 @@ void print_row(const std::string& name, std::int64_t area, const rtl::Pipeline& 
              report.after.nodes);
 }
 
-void print_design(const char* name, rtl::Format format, bool cuts) {
+void print_design(const char* name, hitpipe::Format format, bool cuts) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Graph traced = design.trace(format);
   const rtl::Pipeline plain = rtl::make_pipeline(traced, rtl::Library::thesis());
@@ -56,6 +57,6 @@ int main(int argc, char**) {
   const bool cuts = argc > 1;
   print_design("int_slabs", hls::IntBits{24, 24}, cuts);
   print_design("int_plucker", hls::IntBits{24, 24}, cuts);
-  print_design("fp_slabs", rtl::Format(hls::Binary32{}), cuts);
-  print_design("fp_plucker", rtl::Format(hls::Binary32{}), cuts);
+  print_design("fp_slabs", hitpipe::Format(hls::Binary32{}), cuts);
+  print_design("fp_plucker", hitpipe::Format(hls::Binary32{}), cuts);
 }

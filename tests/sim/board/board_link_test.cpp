@@ -25,7 +25,7 @@ constexpr std::uint64_t board_seed = 5;
 const rtl::Design& slabs_design() {
   return rtl::find_design("int_slabs");
 }
-rtl::Format small_format() {
+Format small_format() {
   return hls::IntBits{6, 6};
 }
 
@@ -40,7 +40,7 @@ BoardCounts run_tests(BoardLink& link, BoardTests& tests, std::size_t count) {
 }
 
 BoardCounts counts_of(const ServedBoard& board, const rtl::Design& design = slabs_design(),
-                      const rtl::Format& format = small_format(),
+                      const Format& format = small_format(),
                       milliseconds silence = std::chrono::seconds(10)) {
   host::SerialPort port = host::SerialPort::open(board.port(), 1'000'000);
   BoardLink link(port, design, format, board.patience(silence));
@@ -94,7 +94,7 @@ TEST(SimulatedBoard, AnswersAsTheCpp) {
 TEST(SimulatedBoard, AnswersForTwoBoxesToo) {
   SKIP_WITHOUT_PSEUDO_TERMINAL();
   const rtl::Design& pair = rtl::find_design("int_major_pair");
-  const rtl::Format format = pair.parse_format("6+0/4");
+  const Format format = pair.parse_format("6+0/4");
   const BoardCounts counts =
       counts_of(ServedBoard({.design = "int_major_pair", .bits = "6+0/4"}), pair, format);
   EXPECT_EQ(counts.tests, test_count);
@@ -137,7 +137,7 @@ TEST(SimulatedBoard, OtherUnitIsRefused) {
   SKIP_WITHOUT_PSEUDO_TERMINAL();
   const ServedBoard board;
   host::SerialPort port = host::SerialPort::open(board.port(), 1'000'000);
-  const rtl::Format other = hls::IntBits{6, 7};
+  const Format other = hls::IntBits{6, 7};
   BoardLink link(port, slabs_design(), other, board.patience());
   EXPECT_EQ(message_of<std::runtime_error>([&] { link.require_same_unit(); }),
             fmt::format("{}: the board has \"{}\", and the tests are for \"{}\"", board.port(),

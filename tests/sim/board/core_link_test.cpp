@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/format.hpp"
 #include "rtl_gen/board/core_top.hpp"
 #include "rtl_gen/board/top.hpp"
-#include "rtl_gen/catalogue/format.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "sim/board/frame.hpp"
 #include "sim/core/picture_rays.hpp"
@@ -28,7 +28,7 @@ using std::chrono::milliseconds;
 
 rtl::CoreOptions small_options() {
   rtl::CoreOptions options;
-  options.bits = rtl::parse_bits<hls::RayBits>("12+0/7s12");
+  options.bits = parse_bits<hls::RayBits>("12+0/7s12");
   options.rays = 2;
   options.stack_bits = 1;
   options.levels = 24;

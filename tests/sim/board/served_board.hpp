@@ -26,7 +26,7 @@ struct BoardUnderTest {
 
 inline SimulatedBoard::Options setup_of(const BoardUnderTest& board) {
   const rtl::Design& design = rtl::find_design(board.design);
-  const rtl::Format format = design.parse_format(board.bits);
+  const Format format = design.parse_format(board.bits);
   const rtl::Pipeline pipeline =
       rtl::make_pipeline(design.trace(format), rtl::Library::thesis(), std::nullopt, board.interval);
   const std::string unit = design.module_at(format);

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/box_referee.hpp"
+#include "rays/exact/box_referee.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/temporary_folder.hpp"
 #include "tests/sim/units.hpp"
@@ -58,7 +58,7 @@ std::string text_of(const CategoryResult& r) {
 TEST(Check, ResultsDoNotDependOnThreads) {
   const rtl::Design& fp_slabs = rtl::find_design("fp_slabs");
   const auto run = [&](int threads) {
-    return check([&] { return make_box_test(fp_slabs, rtl::Format(hls::Binary32{})); },
+    return check([&] { return make_box_test(fp_slabs, Format(hls::Binary32{})); },
                  {.categories = all_categories(), .tests = 200'000, .seed = seed, .threads = threads});
   };
   const std::vector<CategoryResult> one = run(1);
@@ -74,7 +74,7 @@ TEST(Check, ResultsDoNotDependOnThreads) {
 TEST(Check, PiecesTogetherAreTheWhole) {
   const rtl::Design& fp_slabs = rtl::find_design("fp_slabs");
   const auto run = [&](host::Piece piece) {
-    return check([&] { return make_box_test(fp_slabs, rtl::Format(hls::Binary32{})); },
+    return check([&] { return make_box_test(fp_slabs, Format(hls::Binary32{})); },
                  {.categories = all_categories(), .tests = 200'000, .seed = seed, .piece = piece});
   };
   const std::vector<CategoryResult> whole = run({});
@@ -207,8 +207,8 @@ TEST(IsFalseMiss, IsAMissOfABoxThatTheRayMeets) {
 /// The published remedy helps but proves nothing.
 TEST(Check, RobustFloatSlabsMissLessThanTheThesisForm) {
   const CheckOptions options{.categories = all_categories(), .tests = 500'000, .seed = seed};
-  const CategoryResult plain = sum_of(check(
-      [] { return make_box_test(rtl::find_design("fp_slabs"), rtl::Format(hls::Binary32{})); }, options));
+  const CategoryResult plain = sum_of(
+      check([] { return make_box_test(rtl::find_design("fp_slabs"), Format(hls::Binary32{})); }, options));
   const CategoryResult ize = sum_of(check(ize_slabs_test, options));
   fmt::print("seed {}: of {} hits the thesis's form misses {}, Ize's {}\n", seed, plain.hits,
              plain.false_misses, ize.false_misses);

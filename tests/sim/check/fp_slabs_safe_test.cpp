@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "hls/box/fp_format.hpp"
-#include "sim/check/box_test.hpp"
+#include "rays/exact/box_referee.hpp"
+#include "sim/software/box_test.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 
 namespace hitpipe::sim::fp_slabs_safe_test {

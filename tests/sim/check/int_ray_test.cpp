@@ -12,10 +12,10 @@
 #include <gtest/gtest.h>
 
 #include "hls/num/domain.hpp"
+#include "rays/world/int_ray.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/emit/vectors.hpp"
 #include "sim/vectors/design_vectors.hpp"
-#include "sw_ref/world/int_ray.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe::sim::int_ray_test {
@@ -149,7 +149,7 @@ const rtl::Design& design() {
 
 class IntRayUnit : public testing::TestWithParam<const char*> {
  protected:
-  const rtl::Format format_ = design().parse_format(GetParam());
+  const Format format_ = design().parse_format(GetParam());
   const RayBits bits_ = format_.as<RayBits>();
   const rtl::Evaluate unit_ = design().evaluate(format_);
 };
@@ -252,7 +252,7 @@ TEST(IntRayDesign, HasNoHit) {
 
 TEST(IntRayDesign, HasVectorsOfWhichAThirdAreRays) {
   constexpr std::size_t count = 600;
-  const rtl::Format format = design().default_format;
+  const Format format = design().default_format;
   const rtl::VectorSet set = design_vectors(design(), format, count, 5);
   const std::size_t rays = rtl::hits(set.all(), design().results(format));
   EXPECT_GT(rays, count / 4);
@@ -266,7 +266,7 @@ TEST(IntRayDesign, RefusesFormatsThatItsBoxesDoNotHave) {
             "bits 20+1/11f3s20: no format of int_ray; allowed is n+g/psS or n+g/pfBsStF with n in 8..24, g "
             "in 0..3, "
             "p in 4..32, B in -2..3, S in 8..32, F in 1..8 and B at most g+F, for example 20+1/11s20");
-  EXPECT_EQ(rtl::to_string(design().parse_format("20+1/11f3s20t2")), "20+1/11f3s20t2");
+  EXPECT_EQ(to_string(design().parse_format("20+1/11f3s20t2")), "20+1/11f3s20t2");
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "rays/tree/bvh.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/check.hpp"
-#include "sim/software.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim::integer_world_test {
 namespace {
@@ -18,7 +18,7 @@ class BoxUnits : public testing::TestWithParam<Unit> {};
 TEST_P(BoxUnits, NeverMiss) {
   const auto& [name, bits] = GetParam();
   const rtl::Design& design = rtl::find_design(name);
-  const rtl::Format format = design.parse_format(bits);
+  const Format format = design.parse_format(bits);
   CheckOptions options;
   options.tests = 60'000;
   const auto all = ref::adversary::categories();

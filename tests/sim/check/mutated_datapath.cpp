@@ -59,7 +59,7 @@ namespace {
 
 class MutatedDatapath final : public BoxTest {
  public:
-  MutatedDatapath(const rtl::Design& design, const rtl::Format& format, GraphFault* fault)
+  MutatedDatapath(const rtl::Design& design, const Format& format, GraphFault* fault)
       : right_(make_box_test(design, format)),
         ports_(design.ports(format)),
         graph_(mutated(design.trace(format), fault)),
@@ -88,7 +88,7 @@ NodeId swapped_mux(Graph& to, const Node& node, std::string_view name, Args args
 
 }  // namespace
 
-std::unique_ptr<BoxTest> mutated_datapath(const rtl::Design& design, const rtl::Format& format,
+std::unique_ptr<BoxTest> mutated_datapath(const rtl::Design& design, const Format& format,
                                           GraphFault* fault) {
   return std::make_unique<MutatedDatapath>(design, format, fault);
 }

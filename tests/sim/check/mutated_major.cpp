@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "hls/box/major_format.hpp"
-#include "sw_ref/quantise/grid.hpp"
+#include "rays/exact/grid.hpp"
 #include "tests/sim/check/mutations.hpp"
 
 namespace hitpipe::sim {
@@ -66,17 +66,16 @@ double scaled_quotient(const Ray& ray, hls::MajorBits bits, Operands in, std::si
 
 }  // namespace
 
-void major_box_not_grown(const Ray& /*ray*/, const Aabb& box, const rtl::Format& format, Operands in) {
+void major_box_not_grown(const Ray& /*ray*/, const Aabb& box, const Format& format, Operands in) {
   grow_box(box, format.as<hls::MajorBits>(), 0.0, in);
 }
 
-void major_box_grown_by_half_as_much(const Ray& /*ray*/, const Aabb& box, const rtl::Format& format,
-                                     Operands in) {
+void major_box_grown_by_half_as_much(const Ray& /*ray*/, const Aabb& box, const Format& format, Operands in) {
   const auto bits = format.as<hls::MajorBits>();
   grow_box(box, bits, std::ldexp(0.25, -bits.finer), in);
 }
 
-void major_origin_ties_reversed(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+void major_origin_ties_reversed(const Ray& ray, const Aabb& /*box*/, const Format& format, Operands in) {
   const auto bits = format.as<hls::MajorBits>();
   const auto axes = axes_of(in);
   for (std::size_t slot = 0; slot < 3; ++slot) {
@@ -86,7 +85,7 @@ void major_origin_ties_reversed(const Ray& ray, const Aabb& /*box*/, const rtl::
   }
 }
 
-void major_mantissa_to_nearest(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+void major_mantissa_to_nearest(const Ray& ray, const Aabb& /*box*/, const Format& format, Operands in) {
   for (std::size_t slot = 0; slot < 2; ++slot) {
     const Operands both = in.subspan(bounds + 2 * slot, 2);
     const double scaled = scaled_quotient(ray, format.as<hls::MajorBits>(), in, slot);
@@ -94,7 +93,7 @@ void major_mantissa_to_nearest(const Ray& ray, const Aabb& /*box*/, const rtl::F
   }
 }
 
-void major_upper_mantissa_of_two_cut(const Ray& /*ray*/, const Aabb& /*box*/, const rtl::Format& format,
+void major_upper_mantissa_of_two_cut(const Ray& /*ray*/, const Aabb& /*box*/, const Format& format,
                                      Operands in) {
   const auto bits = format.as<hls::MajorBits>();
   for (std::size_t slot = 0; slot < 2; ++slot) {
@@ -105,8 +104,7 @@ void major_upper_mantissa_of_two_cut(const Ray& /*ray*/, const Aabb& /*box*/, co
   }
 }
 
-void major_exponent_cap_one_less(const Ray& /*ray*/, const Aabb& /*box*/, const rtl::Format& format,
-                                 Operands in) {
+void major_exponent_cap_one_less(const Ray& /*ray*/, const Aabb& /*box*/, const Format& format, Operands in) {
   const auto bits = format.as<hls::MajorBits>();
   for (std::size_t slot = 0; slot < 2; ++slot) {
     if (in[exponents + slot] < bits.largest_exponent()) continue;
@@ -115,7 +113,7 @@ void major_exponent_cap_one_less(const Ray& /*ray*/, const Aabb& /*box*/, const 
   }
 }
 
-void major_length_wraps(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+void major_length_wraps(const Ray& ray, const Aabb& /*box*/, const Format& format, Operands in) {
   const auto bits = format.as<hls::MajorBits>();
   const double full = std::ldexp(static_cast<double>(ray.length) * std::abs(ray.direction[axes_of(in)[0]]) *
                                      static_cast<double>(ref::grid_scale(bits.coord)),

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sw_ref/quantise/grid.hpp"
+#include "rays/exact/grid.hpp"
 #include "tests/sim/check/mutations.hpp"
 
 namespace hitpipe::sim {
@@ -22,7 +22,7 @@ constexpr std::size_t pluecker_rinf = 9;
 
 class MutatedSetup final : public BoxTest {
  public:
-  MutatedSetup(const rtl::Design& design, const rtl::Format& format, SetupFault* fault)
+  MutatedSetup(const rtl::Design& design, const Format& format, SetupFault* fault)
       : right_(make_box_test(design, format)),
         evaluate_(design.evaluate(format)),
         format_(format),
@@ -42,7 +42,7 @@ class MutatedSetup final : public BoxTest {
  private:
   std::unique_ptr<BoxTest> right_;
   rtl::Evaluate evaluate_;
-  rtl::Format format_;
+  Format format_;
   SetupFault* fault_;
   Ray ray_;
   std::vector<std::int64_t> operands_;
@@ -76,12 +76,11 @@ double endpoint(const Ray& ray, std::size_t axis) {
 
 }  // namespace
 
-std::unique_ptr<BoxTest> mutated_set_up(const rtl::Design& design, const rtl::Format& format,
-                                        SetupFault* fault) {
+std::unique_ptr<BoxTest> mutated_set_up(const rtl::Design& design, const Format& format, SetupFault* fault) {
   return std::make_unique<MutatedSetup>(design, format, fault);
 }
 
-void half_unit_left_out(const Ray& /*ray*/, const Aabb& box, const rtl::Format& format, Operands in) {
+void half_unit_left_out(const Ray& /*ray*/, const Aabb& box, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   const Operands faces = in.last(6);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -90,7 +89,7 @@ void half_unit_left_out(const Ray& /*ray*/, const Aabb& box, const rtl::Format& 
   }
 }
 
-void box_rounded_to_nearest(const Ray& /*ray*/, const Aabb& box, const rtl::Format& format, Operands in) {
+void box_rounded_to_nearest(const Ray& /*ray*/, const Aabb& box, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   const Operands faces = in.last(6);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -99,7 +98,7 @@ void box_rounded_to_nearest(const Ray& /*ray*/, const Aabb& box, const rtl::Form
   }
 }
 
-void box_in_binary32(const Ray& /*ray*/, const Aabb& box, const rtl::Format& format, Operands in) {
+void box_in_binary32(const Ray& /*ray*/, const Aabb& box, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   const auto unit = static_cast<float>(ref::grid_scale(bits.coord));
   const Operands faces = in.last(6);
@@ -109,12 +108,12 @@ void box_in_binary32(const Ray& /*ray*/, const Aabb& box, const rtl::Format& for
   }
 }
 
-void origin_truncated(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+void origin_truncated(const Ray& ray, const Aabb& /*box*/, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   for (std::size_t axis = 0; axis < 3; ++axis) in[axis] = whole(on_grid(ray.origin[at(axis)], bits));
 }
 
-void irdvc_in_binary32(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+void irdvc_in_binary32(const Ray& ray, const Aabb& /*box*/, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   const float least = smallest(ray.direction);
   const float scale = static_cast<float>(limit(bits)) * least;
@@ -126,7 +125,7 @@ void irdvc_in_binary32(const Ray& ray, const Aabb& /*box*/, const rtl::Format& f
   }
 }
 
-void irdvc_in_binary32_clamped(const Ray& ray, const Aabb& box, const rtl::Format& format, Operands in) {
+void irdvc_in_binary32_clamped(const Ray& ray, const Aabb& box, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   irdvc_in_binary32(ray, box, bits, in);
   for (std::int64_t& bound : in.subspan(irdvc_floor_x, 6)) {
@@ -134,15 +133,14 @@ void irdvc_in_binary32_clamped(const Ray& ray, const Aabb& box, const rtl::Forma
   }
 }
 
-void irdvc_below_one_is_zero(const Ray& /*ray*/, const Aabb& /*box*/, const rtl::Format& /*format*/,
-                             Operands in) {
+void irdvc_below_one_is_zero(const Ray& /*ray*/, const Aabb& /*box*/, const Format& /*format*/, Operands in) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Operands bounds = in.subspan(irdvc_floor_x + 2 * axis, 2);
     if (bounds[0] == 0 || bounds[1] == 0) bounds[0] = bounds[1] = 0;
   }
 }
 
-void irlen_not_saturated(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+void irlen_not_saturated(const Ray& ray, const Aabb& /*box*/, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   const double full = scaled_length(ray, bits) * static_cast<double>(ref::grid_scale(bits.coord));
   const double range = std::ldexp(1.0, bits.product());
@@ -152,20 +150,19 @@ void irlen_not_saturated(const Ray& ray, const Aabb& /*box*/, const rtl::Format&
   in[irlen] = whole(std::floor(std::ldexp(kept, -bits.trimmed())));
 }
 
-void irlen_trimmed_one_bit_more(const Ray& /*ray*/, const Aabb& /*box*/, const rtl::Format& /*format*/,
+void irlen_trimmed_one_bit_more(const Ray& /*ray*/, const Aabb& /*box*/, const Format& /*format*/,
                                 Operands in) {
   in[irlen] /= 2;
 }
 
-void irlen_floored_before_the_grid(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format,
-                                   Operands in) {
+void irlen_floored_before_the_grid(const Ray& ray, const Aabb& /*box*/, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   const double full = std::floor(scaled_length(ray, bits)) * static_cast<double>(ref::grid_scale(bits.coord));
   const double trimmed = std::floor(std::ldexp(full, -bits.trimmed()));
   if (trimmed < static_cast<double>(in[irlen])) in[irlen] = whole(trimmed);
 }
 
-void endpoint_clamped(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+void endpoint_clamped(const Ray& ray, const Aabb& /*box*/, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   if (in[pluecker_rinf] == 0 || ray.is_infinite()) return;
   in[pluecker_rinf] = 0;
@@ -176,16 +173,15 @@ void endpoint_clamped(const Ray& ray, const Aabb& /*box*/, const rtl::Format& fo
   }
 }
 
-void pluecker_rinf_ignored(const Ray& /*ray*/, const Aabb& /*box*/, const rtl::Format& /*format*/,
-                           Operands in) {
+void pluecker_rinf_ignored(const Ray& /*ray*/, const Aabb& /*box*/, const Format& /*format*/, Operands in) {
   in[pluecker_rinf] = 0;
 }
 
-void slabs_rinf_ignored(const Ray& /*ray*/, const Aabb& /*box*/, const rtl::Format& /*format*/, Operands in) {
+void slabs_rinf_ignored(const Ray& /*ray*/, const Aabb& /*box*/, const Format& /*format*/, Operands in) {
   in[slabs_rinf] = 0;
 }
 
-void endpoint_rounded_inward(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+void endpoint_rounded_inward(const Ray& ray, const Aabb& /*box*/, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   if (in[pluecker_rinf] != 0) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -194,7 +190,7 @@ void endpoint_rounded_inward(const Ray& ray, const Aabb& /*box*/, const rtl::For
   }
 }
 
-void direction_truncated(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+void direction_truncated(const Ray& ray, const Aabb& /*box*/, const Format& format, Operands in) {
   const auto bits = format.as<hls::IntBits>();
   const glm::vec3& d = ray.direction;
   const double largest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});

@@ -8,13 +8,13 @@
 #include <span>
 
 #include "rtl_gen/graph/graph.hpp"
-#include "sim/check/box_test.hpp"
+#include "sim/software/box_test.hpp"
 
 namespace hitpipe::sim {
 
 using Operands = std::span<std::int64_t>;
 /// Changes the operands of the correct set-up, in port order.
-using SetupFault = void(const ref::Ray& ray, const ref::Aabb& box, const rtl::Format& format, Operands in);
+using SetupFault = void(const ref::Ray& ray, const ref::Aabb& box, const Format& format, Operands in);
 
 using Args = std::span<const rtl::NodeId>;
 /// What replaces `node` in the faulty graph `to`; rtl::no_node keeps the node. `args` are its operands there.
@@ -24,11 +24,11 @@ using GraphFault = rtl::NodeId(rtl::Graph& to, const rtl::Node& node, Args args)
 [[nodiscard]] rtl::NodeId copied(rtl::Graph& to, const rtl::Node& node, Args args);
 /// A copy of the graph with the fault. Throws std::logic_error if the fault changes nothing.
 [[nodiscard]] rtl::Graph mutated(const rtl::Graph& right, const std::function<GraphFault>& fault);
-[[nodiscard]] std::unique_ptr<BoxTest> mutated_set_up(const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] std::unique_ptr<BoxTest> mutated_set_up(const rtl::Design& design, const Format& format,
                                                       SetupFault* fault);
 /// Copies the traced graph with the fault and evaluates it. Throws std::logic_error if the fault changes
 /// nothing.
-[[nodiscard]] std::unique_ptr<BoxTest> mutated_datapath(const rtl::Design& design, const rtl::Format& format,
+[[nodiscard]] std::unique_ptr<BoxTest> mutated_datapath(const rtl::Design& design, const Format& format,
                                                         GraphFault* fault);
 
 // Set-up of int_slabs and int_plucker.

@@ -19,10 +19,10 @@
 #include <gtest/gtest.h>
 
 #include "hls/box/major_format.hpp"
+#include "rays/exact/box_referee.hpp"
 #include "sim/check/check.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim::mutations_test {
 namespace {
@@ -32,7 +32,7 @@ using ref::adversary::Category;
 constexpr std::uint64_t seed = 20076;
 constexpr std::uint64_t most_tests = 1'000'000;
 
-using Formats = std::vector<rtl::Format>;
+using Formats = std::vector<Format>;
 
 /// The thesis's two.
 const Formats& thesis() {
@@ -57,7 +57,7 @@ struct Mutation {
   Formats formats = thesis();
   std::string_view category = "";  ///< drawn alone; empty: all are drawn
 
-  [[nodiscard]] std::unique_ptr<BoxTest> make(const rtl::Format& format) const {
+  [[nodiscard]] std::unique_ptr<BoxTest> make(const Format& format) const {
     const rtl::Design& right = rtl::find_design(design);
     return set_up != nullptr ? mutated_set_up(right, format, set_up)
                              : mutated_datapath(right, format, datapath);
@@ -191,7 +191,7 @@ struct Verdict {
   CategoryResult worst;  ///< the category with most misses
 };
 
-Verdict judge(const Mutation& mutation, const rtl::Format& format, std::uint64_t tests) {
+Verdict judge(const Mutation& mutation, const Format& format, std::uint64_t tests) {
   std::vector<Category> drawn;
   const auto draw = [&](std::span<const Category> from) {
     for (const Category& c : from) {
@@ -217,7 +217,7 @@ class Mutations : public testing::TestWithParam<Mutation> {};
 
 /// Parts of the tests come first, because most faults show at once.
 TEST_P(Mutations, GiveAFalseMissWithinAMillionTests) {
-  for (const rtl::Format& format : GetParam().formats) {
+  for (const Format& format : GetParam().formats) {
     Verdict verdict;
     for (const std::uint64_t tests :
          {std::uint64_t{1}, most_tests / 50, most_tests / 5, most_tests * 19 / 20}) {
@@ -235,7 +235,7 @@ class HarmlessChanges : public testing::TestWithParam<Mutation> {};
 
 /// So the faults themselves cause what they show, and not the machinery that inserts them.
 TEST_P(HarmlessChanges, GiveNoFalseMiss) {
-  for (const rtl::Format& format : GetParam().formats) {
+  for (const Format& format : GetParam().formats) {
     const Verdict verdict = judge(GetParam(), format, most_tests / 5);
     EXPECT_EQ(verdict.false_misses, 0U);
     EXPECT_GE(verdict.tests, most_tests / 5);
@@ -328,7 +328,7 @@ TEST_P(TextAsWritten, IsInTheDocumentWithItsRayAndBox) {
   const std::string text{std::istreambuf_iterator<char>(page), {}};
   const AsWritten& example = GetParam();
   const std::string command = fmt::format("hitpipe check {} --bits {} --replay \\\n  \"{}\"",
-                                          example.step.design, rtl::to_string(example.bits), example.replay);
+                                          example.step.design, to_string(example.bits), example.replay);
   EXPECT_NE(text.find(command), std::string::npos) << command;
 }
 

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/triangle_test.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "tests/message_of.hpp"
 

@@ -17,7 +17,7 @@ constexpr std::uint64_t seed = 11;
 
 constexpr std::size_t last = 21;  // the zero component
 
-std::vector<StiffBoxes> measured(const rtl::Design& design, rtl::Format format, std::uint64_t tests,
+std::vector<StiffBoxes> measured(const rtl::Design& design, Format format, std::uint64_t tests,
                                  int threads = 2) {
   const auto make = [&] { return make_box_test(design, format); };
   return stiff_boxes(make, {.tests = tests, .seed = seed, .threads = threads});
@@ -73,8 +73,8 @@ TEST(StiffBoxes, CostTheSlabsMoreTheStifferTheRay) {
 /// Pluecker scales by the largest component: a small one that is rounded to zero costs at most one unit. With
 /// a major axis every axis has an exponent of its own, so a small component takes no bits from another.
 TEST(StiffBoxes, CostTheOtherDesignsNothing) {
-  const std::pair<const char*, rtl::Format> units[] = {{"int_plucker", hls::IntBits{24, 24}},
-                                                       {"int_major", hls::MajorBits{}}};
+  const std::pair<const char*, Format> units[] = {{"int_plucker", hls::IntBits{24, 24}},
+                                                  {"int_major", hls::MajorBits{}}};
   for (const auto& [name, format] : units) {
     for (const StiffBoxes& sum : over_all_kinds(measured(rtl::find_design(name), format, 6000))) {
       EXPECT_EQ(sum.tests, 6000U) << name;

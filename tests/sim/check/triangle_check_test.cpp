@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "tests/sim/check/triangle_units.hpp"
 
 namespace hitpipe::sim::triangle_check_test {

@@ -104,7 +104,7 @@ DatapathFault in_choices(const std::string& name, const std::vector<const char*>
 
 const std::vector<const char*> all_edges{"ok_u", "ok_v", "ok_0"};
 
-/// Rules of tests/sw_ref/world/crossing_test.cpp that are a little different, and others.
+/// Rules of tests/rays/world/crossing_test.cpp that are a little different, and others.
 std::vector<DatapathFault> rule_faults() {
   std::vector<DatapathFault> all;
   all.push_back(in_choices("closed", all_edges, [](rtl::Graph& to, Args) { return to.constant(1, 1); }));

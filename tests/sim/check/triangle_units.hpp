@@ -95,7 +95,7 @@ class FaultyDatapath final : public Own {
                                          : static_cast<std::int64_t>(bits[i]);
     return results;
   }
-  static rtl::Format format(const std::string& bits) {
+  static Format format(const std::string& bits) {
     return rtl::find_design("int_triangle").parse_format(bits);
   }
 

@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, CRay,
                          testing::Values(hls::RayBits{8, 0, 4, 0, 8, 0}, hls::RayBits{16, 1, 9, 0, 16, 0},
                                          hls::RayBits{20, 1, 11, 0, 20, 0}, hls::RayBits{20, 1, 32, 2, 13, 5},
                                          hls::RayBits{24, 3, 32, 3, 32, 8}),
-                         [](const auto& each) { return rtl::Format(each.param).identifier(); });
+                         [](const auto& each) { return Format(each.param).identifier(); });
 
 TEST(CRayFaults, AreSeen) {
   const rtl::Core core = core_of({12, 3, 5, 0, 24, 8});

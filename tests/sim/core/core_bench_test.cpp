@@ -12,12 +12,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "rays/world/int_ray.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/core/feature.hpp"
 #include "sim/core/native_core.hpp"
 #include "sim/core/picture_rays.hpp"
 #include "sim/machine/verilated_machine.hpp"
-#include "sw_ref/world/int_ray.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/text.hpp"
 #include "tests/sim/core/both_cores.hpp"
@@ -176,9 +176,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Form{bits, 4, false, 4, 64, 64, false, true},
                     Form{bits, 0, false, 0, 256, 64, false, true}),
     [](const auto& each) {
-      return rtl::Format(each.param.bits).identifier() +
-             (each.param.triangle_interval == 0 ? "_serial" : "") + (each.param.weights ? "_weights" : "") +
-             (each.param.rings ? "_rings" : "") + (each.param.narrow ? "_narrow" : "") +
+      return Format(each.param.bits).identifier() + (each.param.triangle_interval == 0 ? "_serial" : "") +
+             (each.param.weights ? "_weights" : "") + (each.param.rings ? "_rings" : "") +
+             (each.param.narrow ? "_narrow" : "") +
              (each.param.cache_kib == 0 ? ""
                                         : fmt::format("_cache{}x{}x{}", each.param.cache_kib,
                                                       each.param.data_bits, each.param.cache_line));

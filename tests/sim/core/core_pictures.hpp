@@ -3,10 +3,10 @@
 
 #include <memory>
 
+#include "rays/image/core_image.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "sim/core/picture_rays.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "tests/sim/small_scene.hpp"
 
 namespace hitpipe::sim::core_pictures {

@@ -11,18 +11,18 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "rays/image/core_image.hpp"
 #include "rtl_gen/core/feature.hpp"
 #include "sim/core/native_core.hpp"
 #include "sim/core/vector_scenes.hpp"
 #include "sim/machine/verilated_machine.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 #include "sw_ref/world/edge_lines.hpp"
 #include "tests/message_of.hpp"
+#include "tests/rays/world/tetrahedra.hpp"
 #include "tests/rtl_gen/text.hpp"
 #include "tests/sim/core/both_cores.hpp"
 #include "tests/sim/core/core_pictures.hpp"
-#include "tests/sw_ref/world/tetrahedra.hpp"
 
 namespace hitpipe::sim::core_questions_test {
 namespace {

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"
+#include "rays/image/core_image.hpp"
 #include "rtl_gen/core/c_header.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "tests/rtl_gen/tool.hpp"
 #include "tests/sim/small_scene.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/world/int_ray.hpp"
+#include "rays/world/int_ray.hpp"
 #include "tests/sim/small_scene.hpp"
 
 namespace hitpipe::sim::picture_rays_test {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "rays/image/core_image.hpp"
 #include "sim/core/core_questions.hpp"
 #include "sim/core/native_core.hpp"
-#include "sw_ref/core/core_image.hpp"
 #include "tests/sim/core/core_pictures.hpp"
 
 namespace hitpipe::sim::stacks_of_triangles_test {

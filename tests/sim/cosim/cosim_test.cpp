@@ -9,6 +9,7 @@
 
 #include "sim/cosim/ray_source.hpp"
 #include "sw_ref/render/render.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/small_scene.hpp"
@@ -177,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(Units, CosimOfUnit, testing::ValuesIn(units_of_boxes())
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 /// The C++ datapath with its answer turned round.
-void negated(const rtl::Format& format, const std::int64_t* operands, std::int64_t* results) {
+void negated(const Format& format, const std::int64_t* operands, std::int64_t* results) {
   static const rtl::Evaluate right = int_slabs().evaluate(format);
   *results = right(operands) ? 0 : 1;
 }
@@ -186,7 +187,7 @@ TEST(CosimCounts, WrongDatapathMismatchesOnEveryTest) {
   const CosimOfScene cosim("hills");
   const CosimOptions options{.width = 32, .height = 32};
   rtl::Design wrong = int_slabs();
-  wrong.run_at = [](const rtl::Format&) -> rtl::Evaluate::Run { return negated; };
+  wrong.run_at = [](const Format&) -> rtl::Evaluate::Run { return negated; };
   const CosimResult result = cosim.run(usual, options, wrong);
   EXPECT_GT(result.unit.box_tests, 0U);
   EXPECT_EQ(result.unit.rtl_mismatches, result.unit.box_tests);

@@ -4,6 +4,7 @@
 
 #include "rtl_gen/emit/vectors.hpp"
 #include "sim/cosim/cosim.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/adversary_vectors.hpp"
 #include "tests/sim/cosim/slot_traffic.hpp"

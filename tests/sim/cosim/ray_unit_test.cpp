@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/box_referee.hpp"
-#include "sw_ref/trace/slabs.hpp"
+#include "rays/exact/box_referee.hpp"
+#include "rays/trace/slabs.hpp"
 #include "sw_ref/trace/traversal.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/units.hpp"
@@ -175,9 +175,8 @@ TEST_P(RayUnitOnHills, EveryAnswerIsComparedWithTheDatapath) {
   };
   using Operands = const std::int64_t*;
   const rtl::Evaluate always =
-      answering([](const rtl::Format&, Operands, std::int64_t* results) { *results = 1; });
-  const rtl::Evaluate never =
-      answering([](const rtl::Format&, Operands, std::int64_t* results) { *results = 0; });
+      answering([](const Format&, Operands, std::int64_t* results) { *results = 1; });
+  const rtl::Evaluate never = answering([](const Format&, Operands, std::int64_t* results) { *results = 0; });
   const Outcome outcome = run(32, datapath());
   EXPECT_EQ(run(32, always).counts.rtl_mismatches, outcome.counts.box_tests - outcome.counts.hits);
   const Outcome against_never = run(32, never);
@@ -217,8 +216,8 @@ TEST_P(RayUnitOnHills, ShareOfTheTestsIsComparedBitByBit) {
     return unit.counts();
   };
   // 2 is no answer of any Verilog.
-  const rtl::Evaluate wrong([](const rtl::Format&, Operands, std::int64_t* out) { *out = 2; },
-                            GetParam().format, results);
+  const rtl::Evaluate wrong([](const Format&, Operands, std::int64_t* out) { *out = 2; }, GetParam().format,
+                            results);
   const UnitCounts wrong_bits = counts(wrong, datapath());
   EXPECT_EQ(wrong_bits.bit_level_tests, (wrong_bits.tests + 60) / 61);
   EXPECT_EQ(wrong_bits.rtl_mismatches, wrong_bits.bit_level_tests);

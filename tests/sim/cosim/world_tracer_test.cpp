@@ -4,9 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "rays/trace/int_tracer.hpp"
 #include "sim/cosim/counts.hpp"
+#include "sw_ref/render/int_surfaces.hpp"
 #include "sw_ref/render/render.hpp"
-#include "sw_ref/world/int_tracer.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/small_scene.hpp"
 

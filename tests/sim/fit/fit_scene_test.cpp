@@ -11,6 +11,7 @@
 
 #include "host/files.hpp"
 #include "rtl_gen/emit/licence.hpp"
+#include "rtl_gen/emit/read_unit.hpp"
 #include "sim/unit/unit_set_up.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/small_scene.hpp"

@@ -14,8 +14,8 @@
 #include "host/files.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "sim/cosim/cosim.hpp"
-#include "sim/generic_tracer.hpp"
-#include "sim/software.hpp"
+#include "sim/cosim/generic_tracer.hpp"
+#include "sim/software/software.hpp"
 #include "sim/unit/unit_set_up.hpp"
 #include "sim/unit/verilated_design.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -121,8 +121,7 @@ class Fitted : public testing::TestWithParam<Case> {};
 TEST_P(Fitted, IsSmallerAndMissesNothing) {
   const World world(GetParam().scene());
   const rtl::Design& design = rtl::find_design(GetParam().design);
-  const rtl::Format format =
-      !design.conservative ? rtl::Format(hls::Binary32{}) : rtl::Format(hls::IntBits{12, 12});
+  const Format format = !design.conservative ? Format(hls::Binary32{}) : Format(hls::IntBits{12, 12});
   const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
   EXPECT_GT(unit.saved_um2(), 0);
   EXPECT_FALSE(unit.demands.empty());
@@ -147,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(Units, Fitted,
 TEST_P(Fitted, OnCoarseAxesIsSmallerStillAndMissesNothing) {
   const World world(GetParam().scene());
   const rtl::Design& design = rtl::find_design(GetParam().design);
-  const rtl::Format format = hls::IntBits{12, 12};
+  const Format format = hls::IntBits{12, 12};
   const Precision precision{.format = format, .coarse = GetParam().coarse};
   const FittedUnit fine = fit(design, format, std::nullopt, world.demands, library());
   const FittedUnit unit = fit(design, format, precision, world.demands, library());
@@ -198,8 +197,7 @@ class Endless : public testing::TestWithParam<const char*> {};
 TEST_P(Endless, UnitIsSmallerAndTracesTheSame) {
   const World world(sim::hills());
   const rtl::Design& design = rtl::find_design(GetParam());
-  const rtl::Format format =
-      !design.conservative ? rtl::Format(hls::Binary32{}) : rtl::Format(hls::IntBits{12, 12});
+  const Format format = !design.conservative ? Format(hls::Binary32{}) : Format(hls::IntBits{12, 12});
   const FittedUnit with_ends = fit(design, format, std::nullopt, world.demands, library());
   const FittedUnit unit =
       fit(design, format, Precision{.format = format, .ends = false}, world.demands, library());
@@ -232,7 +230,7 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
           std::runtime_error);
       continue;
     }
-    const rtl::Format format = software_of(design).fit_from.value_or(design.default_format);
+    const Format format = software_of(design).fit_from.value_or(design.default_format);
     const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
     const auto whole = by_name(rtl::emit(rtl::make_unit(design, format, library())));
     if (format.is<hls::FpBits>()) {  // no scene needs the top exponent bits of coordinates
@@ -344,7 +342,7 @@ TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
   // Without a limit only the bits that the grid needs are left. With an impossible limit there is no result.
   search.overhead_pct = 1e9;
   const auto coarsest = fewest_bits(search);
-  EXPECT_EQ(coarsest->format, rtl::Format(hls::IntBits{6, 6}));
+  EXPECT_EQ(coarsest->format, Format(hls::IntBits{6, 6}));
   EXPECT_TRUE(coarsest->coarse.any());
   EXPECT_TRUE(no_further_bit(search, *coarsest));
   EXPECT_TRUE(found->ends);
@@ -394,7 +392,7 @@ TEST(PrecisionOfLeastCost, IsBetweenBitsAndTests) {
            test_price * static_cast<double>(tests.triangle_tests);
   };
   const auto cheap = fewest_bits(search);
-  EXPECT_EQ(cheap->format, rtl::Format(hls::IntBits{6, 6}));
+  EXPECT_EQ(cheap->format, Format(hls::IntBits{6, 6}));
   EXPECT_TRUE(cheap->ends);
   EXPECT_FALSE(cheap->coarse.any());
 

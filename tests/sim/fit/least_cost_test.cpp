@@ -6,11 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "hls/box/major_format.hpp"
+#include "sim/cosim/generic_tracer.hpp"
 #include "sim/fit/fit_scene.hpp"
-#include "sim/generic_tracer.hpp"
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 #include "sim/sweep/sweep.hpp"
 #include "sw_ref/scene/built_in.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace hitpipe::sim::least_cost_test {
 namespace {
@@ -31,7 +32,7 @@ double whole_cost(const rtl::Design& design, const Precision& precision, const F
   return row.whole_area_run_time();
 }
 
-ref::TraceCounts counts_of(const rtl::Design& design, const rtl::Format& format, const FitScene& scene) {
+ref::TraceCounts counts_of(const rtl::Design& design, const Format& format, const FitScene& scene) {
   const auto tracer = make_tracer(design, {format, {}, true}, scene.scene.mesh, scene.bvh);
   ref::TraceCounts counts;
   for (const ref::RecordedBatch& batch : scene.rays.batches) {
@@ -52,7 +53,7 @@ TEST_P(LeastCost, IsNoMoreThanThatOfAnyFormatThatTheSearchCouldKeep) {
   const FitScene scene = prepare_fit(ref::load_scene(built_in.name, least), options);
   for (const char* const name : {"int_major", "int_slabs"}) {
     const rtl::Design& design = rtl::find_design(name);
-    const rtl::Format most = fit_from(design);
+    const Format most = fit_from(design);
     const PrecisionSearch search{
         .design = &design,
         .scene = &scene.scene,
@@ -66,17 +67,17 @@ TEST_P(LeastCost, IsNoMoreThanThatOfAnyFormatThatTheSearchCouldKeep) {
     const Precision found = fewest_bits(search).value();
     ASSERT_FALSE(found.starts.empty());
     EXPECT_EQ(found.starts.front().format, most);
-    const auto cost_of = [&](const rtl::Format& format) {
+    const auto cost_of = [&](const Format& format) {
       return whole_cost(design, {.format = format, .endless_extra_box_tests_pct = 0.0}, scene,
                         counts_of(design, format, scene));
     };
     EXPECT_DOUBLE_EQ(found.starts.front().cost, cost_of(most));
-    std::vector<rtl::Format> kept{most, design.default_format};
+    std::vector<Format> kept{most, design.default_format};
     for (const auto& group : software_of(design).smaller_formats(most))
-      for (const rtl::Format& format : software_of(design).sweep_formats)
+      for (const Format& format : software_of(design).sweep_formats)
         if (std::ranges::find(group, format) != group.end()) kept.push_back(format);
-    for (const rtl::Format& format : kept)
-      EXPECT_LE(found.cost, cost_of(format)) << name << ' ' << rtl::to_string(format);
+    for (const Format& format : kept)
+      EXPECT_LE(found.cost, cost_of(format)) << name << ' ' << to_string(format);
   }
 }
 

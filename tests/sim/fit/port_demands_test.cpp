@@ -13,16 +13,16 @@
 #include <gtest/gtest.h>
 
 #include "hls/box/fp_format.hpp"
-#include "rtl_gen/part/unit.hpp"
+#include "rays/world/int_box.hpp"
+#include "rtl_gen/emit/unit.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/facts.hpp"
-#include "sim/fit/port_ranges.hpp"
-#include "sim/software.hpp"
+#include "sim/designs/port_ranges.hpp"
+#include "sim/software/software.hpp"
 #include "sim/unit/unit_set_up.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
-#include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/message_of.hpp"
@@ -194,7 +194,7 @@ TEST(PortDemands, AreNoneOfASceneThatNeedsEverything) {
       EXPECT_THROW(static_cast<void>(port_demands(design, design.default_format, scene)), std::runtime_error);
       continue;
     }
-    const rtl::Format format = software_of(design).fit_from.value_or(design.default_format);
+    const Format format = software_of(design).fit_from.value_or(design.default_format);
     const std::vector<rtl::Port> ports = design.ports(format);
     for (const DemandGroup& group : port_demands(design, format, scene)) {
       if (format.is<hls::FpBits>()) {

@@ -17,7 +17,7 @@
 namespace hitpipe::sim::core_implementation_test {
 namespace {
 
-const rtl::CoreOptions small{.bits = rtl::parse_bits<hls::RayBits>("8+0/4s8"),
+const rtl::CoreOptions small{.bits = parse_bits<hls::RayBits>("8+0/4s8"),
                              .rays = 16,
                              .stack_bits = 1,
                              .address_bits = 8,

@@ -31,7 +31,7 @@ struct Told {
 
 Told told(const char* bits, const Target& target) {
   const rtl::Design& design = rtl::find_design("int_slabs");
-  const rtl::Format format = design.parse_format(bits);
+  const Format format = design.parse_format(bits);
   const TemporaryFolder folder;
   const ImplementOptions options{.folder = folder.path(), .seeds = 0};
   Implementation unit = implement_unit(design, format, target, options);
@@ -71,7 +71,7 @@ TEST(FittingCandidates, AreNoneThatTheUnitHasAlready) {
 /// The unit with the option that is named.
 Implementation unit_with(const std::string& option, const Target& target, const char* bits) {
   const rtl::Design& design = rtl::find_design("int_slabs");
-  const rtl::Format format = design.parse_format(bits);
+  const Format format = design.parse_format(bits);
   for (const FittingCandidate& each : fitting_candidates(design, format, target, {})) {
     if (each.option != option) continue;
     const TemporaryFolder folder;

@@ -171,7 +171,7 @@ std::string after(const std::string& text, const std::string& label, std::size_t
 /// Damages a netlist that was simulated, and simulates it again.
 TEST(NetlistSimulation, DamagedNetlistIsFound) {
   const rtl::Design& design = rtl::find_design("int_slabs");
-  const rtl::Format format = design.parse_format("6/6");
+  const Format format = design.parse_format("6/6");
   const Target target = mapped_only("ice40_hx");
   const TemporaryFolder folder;
   const Implementation unit =

@@ -321,7 +321,7 @@ INSTANTIATE_TEST_SUITE_P(
                     hls::CacheBits{16, 40, 3, 2, 4, 1, 64, 0}, hls::CacheBits{12, 20, 4, 1, 4, 2, 512, 0},
                     hls::CacheBits{12, 20, 5, 2, 2, 1, 512, 0}, hls::CacheBits{10, 15, 1, 1, 2, 2, 128, 0},
                     hls::CacheBits{20, 30, 4, 3, 4, 1, 256, 1}),
-    [](const auto& each) { return rtl::Format(each.param).identifier(); });
+    [](const auto& each) { return Format(each.param).identifier(); });
 
 }  // namespace
 }  // namespace hitpipe::sim::cache_test

@@ -12,9 +12,9 @@
 #include "hls/machines/pair_feed.hpp"
 #include "hls/world/core_format.hpp"
 #include "hls/world/ray_format.hpp"
-#include "rtl_gen/catalogue/format.hpp"
-#include "sw_ref/core/core_image.hpp"
-#include "sw_ref/world/int_ray.hpp"
+#include "host/format.hpp"
+#include "rays/image/core_image.hpp"
+#include "rays/world/int_ray.hpp"
 #include "tests/rtl_gen/machines/named_ports.hpp"
 
 namespace hitpipe::sim::feeds {
@@ -113,7 +113,7 @@ inline const auto kinds =
     testing::Values(Kind{{}, 24, 5}, Kind{{16, 2, 9, -1, 14, 3}, 20, 3}, Kind{{24, 3, 14, 1, 24, 1}, 32, 8},
                     Kind{{8, 0, 4, 0, 8, 0}, 4, 1}, Kind{{24, 0, 32, 0, 32, 0}, 31, 4});
 inline std::string name_of(const testing::TestParamInfo<Kind>& each) {
-  return rtl::Format(each.param.bits).identifier();
+  return Format(each.param.bits).identifier();
 }
 
 }  // namespace hitpipe::sim::feeds

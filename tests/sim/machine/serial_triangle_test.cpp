@@ -5,9 +5,9 @@
 #include <deque>
 #include <optional>
 
-#include "sw_ref/world/int_triangle.hpp"
+#include "rays/world/int_triangle.hpp"
+#include "tests/rays/world/cases.hpp"
 #include "tests/sim/machine/feeds.hpp"
-#include "tests/sw_ref/world/cases.hpp"
 
 namespace hitpipe::sim::serial_triangle_test {
 namespace {
@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(
                     hls::CoreBits{{24, 3, 32, 8, 0}, 4}, hls::CoreBits{{24, 3, 8, 0, 0}, 3},
                     hls::CoreBits{{8, 0, 32, 0, 0}, 2}, hls::CoreBits{{8, 3, 8, 8, 0}, 2},
                     hls::CoreBits{{24, 0, 12, 2, 0}, 3}),
-    [](const testing::TestParamInfo<hls::CoreBits>& each) { return rtl::Format(each.param).identifier(); });
+    [](const testing::TestParamInfo<hls::CoreBits>& each) { return Format(each.param).identifier(); });
 
 }  // namespace
 }  // namespace hitpipe::sim::serial_triangle_test

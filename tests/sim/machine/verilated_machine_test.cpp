@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rtl_gen/machine/files.hpp"
+#include "rtl_gen/emit/machine_files.hpp"
 #include "rtl_gen/machine/module.hpp"
 #include "tests/rtl_gen/machine/small_queue.hpp"
 #include "tests/rtl_gen/text.hpp"
@@ -41,7 +41,7 @@ Difference first_difference(const rtl::MachineGraph& machine, rtl::NativeMachine
 
 struct MachineAt {
   const rtl::Machine* machine;
-  rtl::Format format;
+  Format format;
 
   [[nodiscard]] std::string name() const { return machine->module_at(format); }
 };
@@ -51,8 +51,8 @@ std::vector<MachineAt> machines() {
   std::vector<MachineAt> all;
   for (const rtl::Machine& machine : rtl::machines()) {
     all.push_back({&machine, machine.default_format});
-    const rtl::FormatFamily& family = machine.default_format.family();
-    rtl::FormatNumbers least = family.usual;
+    const FormatFamily& family = machine.default_format.family();
+    FormatNumbers least = family.usual;
     for (std::size_t i = 0; i < family.fields.size(); ++i)
       if (!family.fields[i].optional) least[i] = family.fields[i].least;
     all.push_back({&machine, {family, least}});
@@ -100,7 +100,7 @@ class PlantedFault : public testing::TestWithParam<Fault> {};
 
 TEST_P(PlantedFault, IsSeen) {
   const rtl::Machine& machine = *rtl::machine_called("divider");
-  const rtl::Format format = machine.default_format;
+  const Format format = machine.default_format;
   const rtl::MachineGraph graph = machine.graph(format);
   const std::string verilog = rtl::to_verilog(graph, {.module = "divider", .bits = "", .shows_state = true});
   VerilatedMachine changed(graph, "divider", rtl::replaced(verilog, GetParam().good, GetParam().bad));

@@ -286,7 +286,7 @@ TEST_P(WalkerWith, WalksAsSoftwareDoes) {
 INSTANTIATE_TEST_SUITE_P(Formats, WalkerWith,
                          testing::Values(usual, hls::WalkBits{21, 24, 60, 1, 1},
                                          hls::WalkBits{24, 20, 12, 2, 6}),
-                         [](const auto& each) { return rtl::Format(each.param).identifier(); });
+                         [](const auto& each) { return Format(each.param).identifier(); });
 
 TEST(WalkerInVerilog, WalksAsSoftwareDoes) {
   VerilatedMachine machine(*rtl::machine_called("walker"), usual);

@@ -71,7 +71,7 @@ TEST(ModelCacheOfVerilator, SecondConstructionLeavesTheModelAlone) {
 TEST_F(ModelCache, FlowControlIsPartOfTheKey) {
   for (const auto flow : {rtl::FlowControl::stall, rtl::FlowControl::none, rtl::FlowControl::none}) {
     const VerilatedDesign design(
-        rtl::make_unit(int_slabs(), bits, rtl::Library::thesis(), {.flow_control = flow}), cache_);
+        rtl::make_unit(int_slabs(), model_bits, rtl::Library::thesis(), {.flow_control = flow}), cache_);
   }
   EXPECT_EQ(count_in(cache_, "int_slabs"), 2);
 }

@@ -15,10 +15,10 @@
 
 namespace hitpipe::sim {
 
-inline constexpr hls::IntBits bits{20, 24};
+inline constexpr hls::IntBits model_bits{20, 24};
 
 inline void build_in(const std::filesystem::path& cache) {
-  const VerilatedDesign design(rtl::make_unit(int_slabs(), bits, rtl::Library::thesis()), cache);
+  const VerilatedDesign design(rtl::make_unit(int_slabs(), model_bits, rtl::Library::thesis()), cache);
 }
 
 /// The one line that a failed build ends with.

@@ -11,10 +11,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rays/exact/box_referee.hpp"
 #include "sim/operands/own_operands.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
@@ -274,7 +274,7 @@ TEST_F(Operands, OfOnesOwnGetTheUnitsResults) {
     EXPECT_EQ(lines_in(run(own_line(design, "0"), TestForm::hex)), 3U);
     EXPECT_THAT(run(own_line(design, "0x1"), TestForm::json), testing::HasSubstr("\"hit\":"));
     // The pattern of a negative number.
-    const std::int64_t least = rtl::numbers_of(design.ports(design.default_format).front()).low;
+    const std::int64_t least = numbers_of(design.ports(design.default_format).front()).low;
     EXPECT_THAT(run(own_line(design, "0", least < 0 ? "0xfffff" : "0xffffffff"), TestForm::csv),
                 testing::HasSubstr(least < 0 ? "\n-1,0," : "\n0xffffffff,0x00000000,"));
   }

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/box_referee.hpp"
+#include "rays/exact/box_referee.hpp"
 #include "sw_ref/scene/noise.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/temporary_folder.hpp"

@@ -16,14 +16,13 @@ namespace hitpipe::sim::plan_test {
 namespace {
 
 TEST(SweepFormats, HoldThoseOfTheThesis) {
-  const std::vector<rtl::Format> formats = sweep_formats(rtl::find_design("int_slabs"));
+  const std::vector<Format> formats = sweep_formats(rtl::find_design("int_slabs"));
   for (const int n : {16, 20, 24}) {
-    for (const int t : {n, n + 4, n + 8})
-      EXPECT_THAT(formats, testing::Contains(rtl::Format(hls::IntBits{n, t})));
+    for (const int t : {n, n + 4, n + 8}) EXPECT_THAT(formats, testing::Contains(Format(hls::IntBits{n, t})));
   }
   std::map<int, int> of_n;
-  for (const rtl::Format& format : formats) {
-    EXPECT_TRUE(format.valid()) << rtl::to_string(format);
+  for (const Format& format : formats) {
+    EXPECT_TRUE(format.valid()) << to_string(format);
     ++of_n[format.as<hls::IntBits>().coord];
   }
   EXPECT_EQ(of_n, (std::map<int, int>{{8, 3}, {12, 3}, {16, 3}, {20, 3}, {24, 3}, {28, 3}, {32, 3}}));
@@ -32,7 +31,7 @@ TEST(SweepFormats, HoldThoseOfTheThesis) {
 std::string text_of(const std::vector<SweepPoint>& points) {
   std::string text;
   for (const SweepPoint& p : points)
-    text += fmt::format("{} {} {}\n", p.design->name, rtl::to_string(p.format), p.rays_in_flight);
+    text += fmt::format("{} {} {}\n", p.design->name, to_string(p.format), p.rays_in_flight);
   return text;
 }
 

@@ -77,7 +77,7 @@ inline SweepRow a_pair() {
 }
 
 inline std::vector<SweepPoint> small_plan() {
-  const std::vector<rtl::Format> of_both{hls::IntBits{24, 24}, hls::IntBits{6, 6}, hls::IntBits{6, 6}};
+  const std::vector<Format> of_both{hls::IntBits{24, 24}, hls::IntBits{6, 6}, hls::IntBits{6, 6}};
   const std::vector<DesignFormats> designs{{&rtl::find_design("int_plucker"), of_both},
                                            {&rtl::find_design("fp_slabs"), {hls::Binary32{}}},
                                            {&rtl::find_design("int_slabs"), of_both}};

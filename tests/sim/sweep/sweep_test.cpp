@@ -14,8 +14,8 @@
 #include "area_model/price.hpp"
 #include "hls/box/major_format.hpp"
 #include "sim/cosim/cosim.hpp"
+#include "sim/cosim/generic_tracer.hpp"
 #include "sim/fit/fit.hpp"
-#include "sim/generic_tracer.hpp"
 #include "sim/sweep/rows_file.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/small_scene.hpp"
@@ -65,7 +65,7 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     const area::Price price =
         area::price(*point.design, point.format, rtl::Library::thesis(), area::Account::built);
     EXPECT_EQ(row.design, point.design->name);
-    EXPECT_EQ(row.bits, rtl::to_string(point.format));
+    EXPECT_EQ(row.bits, to_string(point.format));
     EXPECT_EQ(row.rays_in_flight, point.rays_in_flight);
     EXPECT_EQ(row.area_um2, price.area_um2);
     EXPECT_EQ(row.stage_delay_ps, price.stage_delay_ps);
@@ -104,7 +104,7 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
 TEST(Sweep, APairAnswersForTwoBoxesInACycle) {
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const rtl::Format bits = hls::MajorBits{12, 1, 12};
+  const Format bits = hls::MajorBits{12, 1, 12};
   const std::vector<DesignFormats> designs{{&rtl::find_design("int_major"), {bits}},
                                            {&rtl::find_design("int_major_pair"), {bits}}};
   const std::vector<SweepRow> rows = swept(scene, bvh, plan_sweep(designs, std::vector<int>{32}), 2);
@@ -165,7 +165,7 @@ TEST(Sweep, OccupancyRisesWithRaysInFlightUpToThePipelinesLength) {
   ASSERT_EQ(rows.size(), rays.size());
   for (std::size_t i = 1; i < rows.size(); ++i)
     EXPECT_GT(rows[i].occupancy_pct(), rows[i - 1].occupancy_pct());
-  const double alone = 100.0 / verilated({"fp_slabs", rtl::Format(hls::Binary32{})}).latency();
+  const double alone = 100.0 / verilated({"fp_slabs", Format(hls::Binary32{})}).latency();
   EXPECT_NEAR(rows.front().occupancy_pct(), alone, 0.15 * alone);
   EXPECT_GT(rows.back().occupancy_pct(), 90.0);
 }

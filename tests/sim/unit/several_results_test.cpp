@@ -5,8 +5,8 @@
 #include "rtl_gen/emit/vectors.hpp"
 #include "sim/check/check.hpp"
 #include "sim/cosim/ray_unit.hpp"
-#include "sim/feeds/feed.hpp"
-#include "sim/software.hpp"
+#include "sim/software/feed.hpp"
+#include "sim/software/software.hpp"
 #include "sim/unit/drive.hpp"
 #include "sim/unit/verilated_design.hpp"
 #include "tests/message_of.hpp"
@@ -30,13 +30,13 @@ class SeveralResults : public testing::Test {
   }
 
   const rtl::Design design = rtl::two_boxes();
-  const rtl::Format format = design.default_format;
+  const Format format = design.default_format;
   rtl::Unit unit = rtl::make_unit(design, format, rtl::Library::thesis());
 };
 
 TEST_F(SeveralResults, AreThoseOfTheCpp) {
   for (const char* const bits : {"6/6", "9/11"}) {
-    const rtl::Format at = design.parse_format(bits);
+    const Format at = design.parse_format(bits);
     const VerilatedDesign verilated(rtl::make_unit(design, at, rtl::Library::thesis()));
     ASSERT_EQ(verilated.results().size(), 3U);
     Model model(verilated);
@@ -79,7 +79,7 @@ TEST_F(SeveralResults, AgreeInAVectorCheck) {
 /// Boxes of the adversary at the ports of the first box, moved a little at the ports of the second.
 class TwoBoxesTest final : public BoxTest {
  public:
-  TwoBoxesTest(const rtl::Design& design, const rtl::Format& format, bool with_results)
+  TwoBoxesTest(const rtl::Design& design, const Format& format, bool with_results)
       : evaluate_(design.evaluate(format)), with_results_(with_results) {}
   void start(const ref::Ray& ray) override {
     operands_[0] = grid(ray.origin.x);
@@ -108,7 +108,7 @@ class TwoBoxesTest final : public BoxTest {
   std::array<std::int64_t, 3> results_{};
 };
 
-CategoryResult judged(const rtl::Design& design, const rtl::Format& format, const VerilatedDesign& verilated,
+CategoryResult judged(const rtl::Design& design, const Format& format, const VerilatedDesign& verilated,
                       bool with_results = true) {
   return check([&] { return std::make_unique<TwoBoxesTest>(design, format, with_results); },
                {.categories = {ref::adversary::categories()[0]}, .tests = 3000, .rtl = &verilated})
@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Results, WrongResult, testing::Values("entry", "hit_a",
 /// The hills traced by a unit that gives HIT and a distance, compared with that C++.
 UnitCounts traced(const rtl::Evaluate::Run cpp) {
   const rtl::Design design = rtl::design_of<hls::SlabsWithEntry>();
-  const rtl::Format format = hls::IntBits{12, 12};
+  const Format format = hls::IntBits{12, 12};
   const VerilatedDesign verilated(rtl::make_unit(design, format, rtl::Library::thesis()));
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
@@ -170,8 +170,7 @@ TEST(SeveralResultsOfOneBox, AreAllComparedWhileASceneIsTraced) {
   EXPECT_EQ(same.rtl_mismatches, 0U);
   EXPECT_EQ(same.false_misses, 0U);
   EXPECT_GT(same.hits, 500U);
-  const rtl::Evaluate::Run other = [](const rtl::Format& format, const std::int64_t* operands,
-                                      std::int64_t* out) {
+  const rtl::Evaluate::Run other = [](const Format& format, const std::int64_t* operands, std::int64_t* out) {
     rtl::detail::run_any<hls::SlabsWithEntry>(format, operands, out);
     out[1] ^= 1;
   };

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/software.hpp"
+#include "sim/software/software.hpp"
 
 namespace hitpipe::sim::design_vectors_test {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::size_t count = 600;
 class DesignVectors : public testing::TestWithParam<const char*> {
  protected:
   const rtl::Design& design_ = rtl::find_design(GetParam());
-  const rtl::Format format_ = design_.default_format;
+  const Format format_ = design_.default_format;
   const rtl::VectorSet set_ = design_vectors(design_, format_, count, 5);
 };
 

@@ -36,7 +36,7 @@ struct FaultyUnit {
   bool reasoned = true;  ///< harmless changes are listed; if not, they are all that no vector shows
 
   [[nodiscard]] const rtl::Design& found() const { return rtl::find_design(design); }
-  [[nodiscard]] rtl::Format format() const { return found().parse_format(bits); }
+  [[nodiscard]] Format format() const { return found().parse_format(bits); }
 };
 
 void PrintTo(const FaultyUnit& unit, std::ostream* out) {
@@ -112,7 +112,7 @@ std::vector<FaultyUnit> all_units() {
   for (const rtl::Design& design : rtl::designs()) {
     const auto is_listed = [&](const FaultyUnit& unit) { return unit.design == design.name; };
     if (std::none_of(units.begin(), units.end(), is_listed))
-      all.push_back({std::string(design.name), rtl::to_string(design.default_format), {}, false});
+      all.push_back({std::string(design.name), to_string(design.default_format), {}, false});
   }
   return all;
 }

@@ -6,9 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "rays/trace/int_tracer.hpp"
+#include "rays/world/int_triangle.hpp"
+#include "sw_ref/render/int_surfaces.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/scene/built_in.hpp"
-#include "sw_ref/world/int_tracer.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #include "tests/sim/small_scene.hpp"
 
 namespace hitpipe::ref::core_tracer_test {

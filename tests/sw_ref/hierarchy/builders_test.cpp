@@ -4,11 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "rays/exact/grid.hpp"
+#include "rays/scene/scene.hpp"
+#include "rays/tree/bvh.hpp"
 #include "sw_ref/hierarchy/statistics.hpp"
-#include "sw_ref/quantise/grid.hpp"
-#include "sw_ref/scene/scene.hpp"
-#include "tests/sw_ref/hierarchy/meshes.hpp"
+#include "sw_ref/scene/load_scene.hpp"
+#include "tests/rays/tree/meshes.hpp"
 
 namespace hitpipe::ref::builders_test {
 namespace {

@@ -12,10 +12,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rays/tree/relative_box.hpp"
 #include "sw_ref/hierarchy/double_nodes.hpp"
 #include "sw_ref/hierarchy/hierarchical_nodes.hpp"
-#include "sw_ref/hierarchy/relative_box.hpp"
-#include "tests/sw_ref/hierarchy/hierarchies.hpp"
+#include "tests/rays/tree/hierarchies.hpp"
 
 namespace hitpipe::ref::encode_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/sw_ref/hierarchy/hierarchies.hpp"
+#include "tests/rays/tree/hierarchies.hpp"
 
 namespace hitpipe::ref::int_nodes_test {
 namespace {

@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include "rays/tree/small_leaves.hpp"
+#include "rays/tree/wide_nodes.hpp"
 #include "sw_ref/hierarchy/compact_pairs.hpp"
-#include "sw_ref/hierarchy/small_leaves.hpp"
-#include "sw_ref/hierarchy/wide_nodes.hpp"
-#include "tests/sw_ref/hierarchy/hierarchies.hpp"
+#include "tests/rays/tree/hierarchies.hpp"
 
 namespace hitpipe::ref::near_first_nodes_test {
 namespace {

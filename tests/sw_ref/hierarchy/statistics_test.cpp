@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/sw_ref/hierarchy/meshes.hpp"
+#include "tests/rays/tree/meshes.hpp"
 
 namespace hitpipe::ref::statistics_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sw_ref/scene/scene.hpp"
+#include "rays/scene/scene.hpp"
 #include "tests/sim/small_scene.hpp"
 
 namespace hitpipe::ref {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/rays/exact/rational.hpp"
 #include "tests/sw_ref/judge/adversary/each_case.hpp"
-#include "tests/sw_ref/judge/rational.hpp"
 
 namespace hitpipe::ref::float_ray_test {
 namespace {

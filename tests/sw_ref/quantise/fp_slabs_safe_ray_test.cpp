@@ -11,8 +11,8 @@
 
 #include "sw_ref/quantise/fp_box.hpp"
 #include "tests/message_of.hpp"
+#include "tests/rays/exact/rational.hpp"
 #include "tests/sw_ref/judge/adversary/each_case.hpp"
-#include "tests/sw_ref/judge/rational.hpp"
 
 namespace hitpipe::ref::fp_slabs_safe_ray_test {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/quantise/grid.hpp"
+#include "rays/exact/grid.hpp"
+#include "tests/rays/exact/rational.hpp"
 #include "tests/sw_ref/judge/adversary/each_case.hpp"
-#include "tests/sw_ref/judge/rational.hpp"
 
 namespace hitpipe::ref::int_plucker_ray_test {
 namespace {

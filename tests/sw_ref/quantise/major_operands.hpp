@@ -9,8 +9,8 @@
 #include "hls/num/domain.hpp"
 #include "hls/num/sized.hpp"
 #include "hls/pipelines/int_major.hpp"
-#include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/quantise/int_major_ray.hpp"
+#include "rays/world/int_box.hpp"
+#include "rays/world/int_major_ray.hpp"
 
 namespace hitpipe::ref {
 

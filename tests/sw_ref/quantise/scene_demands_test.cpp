@@ -7,10 +7,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/triangle_test.hpp"
+#include "rays/trace/child_order.hpp"
 #include "sw_ref/quantise/guard.hpp"
 #include "sw_ref/render/render.hpp"
-#include "sw_ref/trace/child_order.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #include "tests/sw_ref/quantise/demand_scenes.hpp"
 
 namespace hitpipe::ref::scene_demands_test {

@@ -11,10 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "host/text.hpp"
-#include "sw_ref/judge/box_referee.hpp"
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/box_referee.hpp"
+#include "rays/exact/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/scene/built_in.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace hitpipe::ref::cosine_rays_test {
 namespace {

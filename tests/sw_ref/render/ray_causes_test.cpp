@@ -7,8 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace hitpipe::ref::ray_causes_test {
 namespace {

@@ -11,8 +11,9 @@
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/triangle_test.hpp"
 #include "sw_ref/render/shade.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe::ref::render_test {

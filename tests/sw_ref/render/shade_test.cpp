@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/triangle_test.hpp"
 #include "sw_ref/render/camera.hpp"
 
 namespace hitpipe::ref::shade_test {

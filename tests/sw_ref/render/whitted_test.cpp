@@ -9,8 +9,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/box_referee.hpp"
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/box_referee.hpp"
+#include "rays/exact/triangle_test.hpp"
 #include "sw_ref/render/optics.hpp"
 #include "sw_ref/render/shade.hpp"
 #include "tests/message_of.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "host/parallel.hpp"
-#include "sw_ref/trace/ray_queries.hpp"
+#include "rays/trace/ray_queries.hpp"
 
 namespace {
 

@@ -12,9 +12,10 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/triangle_test.hpp"
 #include "sw_ref/scene/built_in_scenes.hpp"
 #include "sw_ref/scene/figure.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe::ref::built_in_test {

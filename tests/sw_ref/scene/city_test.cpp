@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/triangle_test.hpp"
+#include "rays/exact/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/scene/built_in_scenes.hpp"
 

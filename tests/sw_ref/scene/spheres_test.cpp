@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/scene/built_in_scenes.hpp"
+#include "sw_ref/scene/load_scene.hpp"
 
 namespace hitpipe::ref::spheres_test {
 namespace {

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/quantise/grid.hpp"
-#include "sw_ref/trace/int_major.hpp"
+#include "rays/exact/grid.hpp"
+#include "rays/trace/int_major.hpp"
 #include "sw_ref/trace/int_plucker.hpp"
 #include "sw_ref/trace/int_slabs.hpp"
 #include "tests/message_of.hpp"

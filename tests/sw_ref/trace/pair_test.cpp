@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/hierarchy/pair_nodes.hpp"
+#include "rays/world/pair_nodes.hpp"
 #include "sw_ref/trace/int_major_pair.hpp"
-#include "tests/sw_ref/trace/tracer_scenes.hpp"
+#include "tests/rays/trace/tracer_scenes.hpp"
 
 namespace hitpipe::ref::pair_test {
 namespace {

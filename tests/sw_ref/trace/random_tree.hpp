@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sw_ref/hierarchy/pair_nodes.hpp"
+#include "rays/world/pair_nodes.hpp"
 
 namespace hitpipe::ref {
 

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/hierarchy/bvh.hpp"
-#include "tests/sw_ref/world/tetrahedra.hpp"
+#include "rays/tree/bvh.hpp"
+#include "tests/rays/world/tetrahedra.hpp"
 
 namespace hitpipe::ref::edge_lines_test {
 namespace {

@@ -2,10 +2,10 @@
 // more.
 #include "hls/box/block_slabs_operands.hpp"
 #include "hls/box/int_format.hpp"
-#include "sim/feeds/set_up_feed.hpp"
-#include "sim/fit/port_ranges.hpp"
-#include "sim/software.hpp"
-#include "sw_ref/quantise/int_box.hpp"
+#include "rays/world/int_box.hpp"
+#include "sim/designs/port_ranges.hpp"
+#include "sim/designs/set_up_feed.hpp"
+#include "sim/software/software.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 
 namespace hitpipe::sim {
@@ -14,7 +14,7 @@ namespace {
 
 using hls::BlockBits;
 
-hls::IntBits block_grid(const rtl::Format& format) {
+hls::IntBits block_grid(const Format& format) {
   const int n = format.as<BlockBits>().coord;
   return {n, n};
 }
@@ -48,10 +48,10 @@ class BlockSetup {
   using Bits = BlockBits;
   using Operands = hls::BlockSlabsOperands<Words, Bits>;
 
-  BlockSetup(const ref::Ray& ray, const rtl::Format& format)
+  BlockSetup(const ref::Ray& ray, const Format& format)
       : ray_(ref::IntSlabsRaySetup(ray, block_grid(format)).ray()) {}
 
-  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
+  static void boxes(std::span<const ref::Aabb> boxes, const Format& format, std::span<Box> out) {
     std::vector<ref::IntBox> on_grid(boxes.size());
     ref::quantise_boxes(boxes, block_grid(format).coord, on_grid);
     for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = block_box(on_grid[i], format.as<BlockBits>());
@@ -66,7 +66,7 @@ class BlockSetup {
 };
 
 /// A scene tells nothing of a mantissa: the largest plane decides the exponent.
-std::optional<SceneDemand> block_demand(const rtl::Port& port, const rtl::Format& format,
+std::optional<SceneDemand> block_demand(const rtl::Port& port, const Format& format,
                                         const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
   const int n = block_grid(format).coord;
   const int axis = rtl::axis_of(port);

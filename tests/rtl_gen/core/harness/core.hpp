@@ -67,18 +67,12 @@
 #define CORE_LINE_BYTES 64
 #define CORE_BEAT_BYTES 8
 #define CORE_HAS_ONE_ID 0
-#define CORE_CACHE_KIB 2
-#define CORE_HAS_RINGS 1
 #define CORE_BURST_BYTES 64
 #define CORE_NO_HIT 0xffffffffu
 #define CORE_RAY_BYTES 32
 #define CORE_HIT_BYTES 16
 #define CORE_LEVELS 60
 #define CORE_STEP_BITS 20
-
-#define HARNESS_FLOAT_DOOR 1
-#define HARNESS_QUESTIONS 1
-#define HARNESS_WEIGHTS 1
 
 constexpr RegisterWord register_words[] = {
     {CORE_REG_IDENTITY, 0, CORE_IDENTITY, Fit::largest, SoftReset::keeps, false, false},

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/box_referee.hpp"
+#include "rays/exact/box_referee.hpp"
 #include "tests/sw_ref/judge/adversary/each_case.hpp"
 
 namespace hitpipe::ref::adversary::categories_test {

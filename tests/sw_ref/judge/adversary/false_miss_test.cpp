@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "rays/exact/box_referee.hpp"
+#include "rays/world/coarse_axes.hpp"
+#include "rays/world/int_box.hpp"
 #include "sw_ref/judge/adversary/generators.hpp"
-#include "sw_ref/judge/box_referee.hpp"
-#include "sw_ref/quantise/coarse_axes.hpp"
-#include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sw_ref/judge/adversary/each_case.hpp"

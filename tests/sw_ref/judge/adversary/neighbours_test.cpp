@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include "rays/exact/box_referee.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::ref::adversary::neighbours_test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rays/exact/box_referee.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 #include "tests/sw_ref/judge/adversary/each_case.hpp"
 
 namespace hitpipe::ref::adversary::shrink_test {

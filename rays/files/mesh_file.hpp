@@ -1,0 +1,43 @@
+// Mesh files: OBJ, PLY, STL, glTF and GLB, each read as its format says, or refused.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rays/files/file_mesh.hpp"
+#include "rays/mesh/mesh.hpp"
+#include "rays/scene/scene.hpp"
+
+namespace hitpipe::ref {
+
+/// What the file says. Throws std::runtime_error, one line that names the file, the place in it and what is
+/// allowed, if the file is missing, not a regular file, empty, cut short or malformed, or if it has an unknown
+/// extension, a coordinate that is not finite, or an index out of range.
+[[nodiscard]] FileMesh read_mesh_file(const std::filesystem::path& file);
+
+/// All triangles of a file in its own units: polygons are cut into triangles, faces of one or two corners are
+/// left out, equal positions are joined, and triangles without area are dropped and counted. At least one
+/// triangle remains. Throws as read_mesh_file() does, and if a polygon crosses itself, a coordinate is beyond
+/// binary32, or no triangle has an area.
+[[nodiscard]] SourceMesh load_mesh(const std::filesystem::path& file);
+
+/// Consecutive triangles of a file that have one name and one material there; names may be empty.
+struct MeshGroup {
+  std::string name;
+  std::string material;
+  std::optional<Material> surface;  ///< of an OBJ with materials: what its MTL file says (mtl_reader.hpp)
+  std::uint32_t first = 0;          ///< triangle of the mesh
+  std::uint32_t count = 0;
+};
+
+/// The same, and also the groups of the triangles. The groups follow one another and cover the mesh.
+[[nodiscard]] SourceMesh load_mesh(const std::filesystem::path& file, std::vector<MeshGroup>& groups);
+/// The same of bytes in memory. The file's name says the format, and the files that a mesh names are beside it.
+[[nodiscard]] SourceMesh load_mesh(std::string_view bytes, const std::filesystem::path& file,
+                                   std::vector<MeshGroup>& groups);
+
+}  // namespace hitpipe::ref

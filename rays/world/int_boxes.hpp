@@ -1,0 +1,16 @@
+// The boxes of a hierarchy over an integer mesh.
+#pragma once
+
+#include <vector>
+
+#include "rays/tree/bvh.hpp"
+#include "rays/world/int_box.hpp"
+#include "rays/world/int_mesh.hpp"
+
+namespace hitpipe::ref {
+
+/// By node of the hierarchy: the smallest box of all corners below. A node without triangles is not in a
+/// hierarchy.
+[[nodiscard]] std::vector<IntBox> int_boxes(const IntMesh& mesh, const Bvh& bvh);
+
+}  // namespace hitpipe::ref
