@@ -74,12 +74,12 @@ test-designs: packages
 	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -L longest -V
 
 sanitize: packages
-	@cmake --preset sanitize
+	@cmake --preset sanitize -DHITPIPE_TESTED='$(SANITIZED)'
 	@cmake --build --preset sanitize -j $(JOBS) --target $(or $(PROGRAMS),test_programs)
 	@ctest --preset sanitize -j $(JOBS) -R '$(SANITIZED)' $(if $(PROGRAMS),-L '^($(subst $() ,|,$(strip $(PROGRAMS))))$$')
 
 threads: packages
-	@cmake --preset threads >build.log 2>&1 || { cat build.log; exit 1; }
+	@cmake --preset threads -DHITPIPE_TESTED='$(THREADED)' >build.log 2>&1 || { cat build.log; exit 1; }
 	@cmake --build --preset threads -j $(JOBS) --target host_tests rays_tests sw_ref_tests
 	@ctest --preset threads -j $(JOBS) -R '$(THREADED)' -LE long
 
