@@ -20,7 +20,7 @@ namespace hitpipe::sim {
 
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double not_wanted = std::numeric_limits<double>::infinity();
 /// The fewest bits, 1 or more, that hold a number.
 int bits_for(std::uint64_t number) {
   int bits = 1;
@@ -109,7 +109,7 @@ class Search {
   void descend(const Change& change) {
     const auto cost = [&](const rtl::CoreOptions& core) {
       const double more = reads(core, whole_);
-      if (options_.goal == CoreGoal::area && more > 1 + options_.overhead_pct / 100) return endless;
+      if (options_.goal == CoreGoal::area && more > 1 + options_.overhead_pct / 100) return not_wanted;
       return static_cast<double>(size(core)) * (options_.goal == CoreGoal::area ? 1 : more);
     };
     double best = cost(fit_.core);
