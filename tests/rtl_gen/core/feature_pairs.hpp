@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <ostream>
@@ -118,23 +119,18 @@ inline void PrintTo(const PairedCore& core, std::ostream* out) {
   return made;
 }
 
-/// The next feature in the list, from the last to the first, that may stand with it. Null if there is none.
-[[nodiscard]] inline const Feature* next_partner(const Feature* feature) {
-  Features all = choices();
-  std::rotate(all.begin(), std::ranges::find(all, feature), all.end());
-  const auto found = std::find_if(all.begin() + 1, all.end(), [&](const Feature* each) {
-    return !exclusion(with_needs({feature, each}));
-  });
-  return found == all.end() ? nullptr : *found;
-}
-
-/// Of these, as many as there are features: each with its next partner.
+/// Few of these, with each feature in one or more: first pairs of two that were in none yet, then pairs of one.
 [[nodiscard]] inline std::vector<PairedCore> some_paired_cores() {
-  std::vector<PairedCore> made = paired_cores();
-  std::erase_if(made, [](const PairedCore& each) {
-    const auto& [first, second] = each.pair;
-    return next_partner(first) != second && next_partner(second) != first;
-  });
+  std::vector<PairedCore> made;
+  Features had;
+  for (const std::ptrdiff_t fresh : {2, 1})
+    for (const PairedCore& each : paired_cores()) {
+      const Features both = each.pair.features();
+      const auto is_new = [&](const Feature* one) { return std::ranges::count(had, one) == 0; };
+      if (std::ranges::count_if(both, is_new) != fresh) continue;
+      made.push_back(each);
+      had.insert(had.end(), both.begin(), both.end());
+    }
   return made;
 }
 
