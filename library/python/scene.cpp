@@ -17,29 +17,29 @@ namespace hitpipe::python {
 
 namespace {
 
-template <class T>
-py::array_t<T> row(std::size_t count) {
-  return py::array_t<T>(static_cast<py::ssize_t>(count));
+/// A copy.
+template <class To, class T>
+py::array_t<To> array_of(const std::vector<T>& numbers) {
+  static_assert(sizeof(To) == sizeof(T));
+  return py::array_t<To>(static_cast<py::ssize_t>(numbers.size()),
+                         reinterpret_cast<const To*>(numbers.data()));
 }
 
-/// What Scene.nearest() gives.
-struct NearestArrays {
-  py::array_t<std::uint32_t> triangle;
-  py::array_t<double> t;
-  py::object weights = py::none();
-};
-/// What Scene.count() gives.
-struct CountArrays {
-  py::array_t<std::uint32_t> crossings;
-  py::array_t<std::int32_t> sides;
-};
-/// What Scene.all() gives.
-struct CrossingArrays {
-  py::array_t<std::uint64_t> offsets;
-  py::array_t<std::uint32_t> triangle;
-  py::array_t<double> t;
-  py::array_t<std::int8_t> side;
-};
+/// A property whose array looks into an answer and keeps it alive.
+template <class Answer, class T>
+auto looks_into(std::vector<T> Answer::*numbers) {
+  return [numbers](const py::object& answer) {
+    const std::vector<T>& all = answer.cast<const Answer&>().*numbers;
+    return py::array_t<T>(static_cast<py::ssize_t>(all.size()), all.data(), answer);
+  };
+}
+/// None if they were not asked for.
+py::object weights_of(const py::object& nearest) {
+  const auto& of = nearest.cast<const Nearest&>();
+  if (of.weights.empty() && !of.triangle.empty()) return py::none();
+  return py::array_t<double>({static_cast<py::ssize_t>(of.weights.size()), py::ssize_t{3}},
+                             of.weights.empty() ? nullptr : of.weights.front().data(), nearest);
+}
 
 /// Python's threads may share it, as they may the scene of C.
 class PythonScene {
@@ -88,74 +88,37 @@ class PythonScene {
     if (points.count != 0) check(hitpipe_scene_move(own_->handle(), points.first, threads));
   }
 
-  [[nodiscard]] NearestArrays nearest(const py::object& rays, bool weights, int threads) const {
+  /// What hitpipe::Scene answers to a question about these rays.
+  template <class Answer, class... Choices>
+  [[nodiscard]] Answer of_rays(Answer (Scene::*question)(std::span<const Ray>, Choices...) const,
+                               const py::object& rays, Choices... choices) const {
     const auto own = rays_of(rays);
-    NearestArrays all{row<std::uint32_t>(own.count), row<double>(own.count)};
-    hitpipe_nearest_out out{all.triangle.mutable_data(), all.t.mutable_data(), nullptr};
-    if (weights) {
-      py::array_t<double> three({static_cast<py::ssize_t>(own.count), py::ssize_t{3}});
-      out.weights = three.mutable_data();
-      all.weights = three;
-    }
     const Working others_run;
-    check(hitpipe_nearest(own_->handle(), own.first, own.count, threads, &out));
-    return all;
+    return ((*own_).*question)({own.first, own.count}, choices...);
+  }
+  [[nodiscard]] Nearest nearest(const py::object& rays, bool weights, int threads) const {
+    return of_rays(&Scene::nearest, rays, weights, threads);
   }
   [[nodiscard]] py::array_t<bool> any(const py::object& rays, int threads) const {
-    const auto own = rays_of(rays);
-    auto met = row<bool>(own.count);
-    auto* const out = reinterpret_cast<std::uint8_t*>(met.mutable_data());
-    const Working others_run;
-    check(hitpipe_any(own_->handle(), own.first, own.count, threads, out));
-    return met;
+    return array_of<bool>(of_rays(&Scene::any, rays, threads));
   }
-  [[nodiscard]] CountArrays count(const py::object& rays, int threads) const {
-    const auto own = rays_of(rays);
-    CountArrays all{row<std::uint32_t>(own.count), row<std::int32_t>(own.count)};
-    auto* const crossings = all.crossings.mutable_data();
-    auto* const sides = all.sides.mutable_data();
-    const Working others_run;
-    check(hitpipe_count(own_->handle(), own.first, own.count, threads, crossings, sides));
-    return all;
+  [[nodiscard]] Counts count(const py::object& rays, int threads) const {
+    return of_rays(&Scene::count, rays, threads);
   }
-  [[nodiscard]] CrossingArrays all(const py::object& rays, int threads) const {
-    const auto own = rays_of(rays);
-    CrossingArrays found{row<std::uint64_t>(own.count + 1), {}, {}, {}};
-    auto* const offsets = found.offsets.mutable_data();
-    for (std::size_t capacity = 4 * own.count;; capacity = offsets[own.count]) {
-      found.triangle = row<std::uint32_t>(capacity);
-      found.t = row<double>(capacity);
-      found.side = row<std::int8_t>(capacity);
-      const hitpipe_all_out out{offsets, capacity, found.triangle.mutable_data(), found.t.mutable_data(),
-                                found.side.mutable_data()};
-      {
-        const Working others_run;
-        check(hitpipe_all(own_->handle(), own.first, own.count, threads, &out));
-      }
-      if (offsets[own.count] <= capacity) break;
-    }
-    const auto size = static_cast<py::ssize_t>(offsets[own.count]);
-    found.triangle.resize({size});
-    found.t.resize({size});
-    found.side.resize({size});
-    return found;
+  [[nodiscard]] Crossings all(const py::object& rays, int threads) const {
+    return of_rays(&Scene::all, rays, threads);
+  }
+  [[nodiscard]] py::array_t<hitpipe_integer_ray> integer_rays(const py::object& rays) const {
+    return array_of<IntegerRay>(of_rays(&Scene::integer_rays, rays));
   }
   [[nodiscard]] py::array_t<bool> inside(const py::object& points, int threads) const {
     const auto own = rows_of<float>(points, "points", 3);
-    auto in = row<bool>(own.count);
-    auto* const out = reinterpret_cast<std::uint8_t*>(in.mutable_data());
-    const Working others_run;
-    check(hitpipe_inside(own_->handle(), own.first, own.count, threads, out));
-    return in;
-  }
-
-  [[nodiscard]] py::array_t<hitpipe_integer_ray> integer_rays(const py::object& rays) const {
-    const auto own = rays_of(rays);
-    auto made = row<hitpipe_integer_ray>(own.count);
-    auto* const out = made.mutable_data();
-    const Working others_run;
-    check(hitpipe_integer_rays(own_->handle(), own.first, own.count, out));
-    return made;
+    std::vector<std::uint8_t> in;
+    {
+      const Working others_run;
+      in = own_->inside(rows<Point>(own), threads);
+    }
+    return array_of<bool>(in);
   }
   [[nodiscard]] py::bytes core_image() const {
     std::vector<std::uint8_t> bytes;
@@ -185,20 +148,23 @@ void add_scene(py::module_& m) {
   m.attr("nodes_dtype") = py::dtype::of<hitpipe_node>();
   m.attr("integer_rays_dtype") = py::dtype::of<hitpipe_integer_ray>();
   m.attr("no_triangle") = py::int_(HITPIPE_NO_TRIANGLE);
-  py::class_<NearestArrays>(m, "Nearest", "What Scene.nearest() gives.")
-      .def_readonly("triangle", &NearestArrays::triangle, "uint32, (N,): its number, or hitpipe.no_triangle.")
-      .def_readonly("t", &NearestArrays::t, "float64, (N,), in units of the ray's direction; inf: no hit.")
-      .def_readonly("weights", &NearestArrays::weights,
-                    "float64, (N, 3), of the triangle's corners; or None.");
-  py::class_<CountArrays>(m, "Counts", "What Scene.count() gives.")
-      .def_readonly("crossings", &CountArrays::crossings, "uint32, (N,).")
-      .def_readonly("sides", &CountArrays::sides, "int32, (N,): 1 for each way out, -1 for each way in.");
-  py::class_<CrossingArrays>(
-      m, "Crossings", "What Scene.all() gives: those of ray i are at offsets[i] to offsets[i + 1] - 1.")
-      .def_readonly("offsets", &CrossingArrays::offsets, "uint64, (N + 1,).")
-      .def_readonly("triangle", &CrossingArrays::triangle, "uint32, (offsets[N],).")
-      .def_readonly("t", &CrossingArrays::t, "float64, likewise; from near to far.")
-      .def_readonly("side", &CrossingArrays::side, "int8, likewise; 1: the way out, -1: the way in.");
+  py::class_<Nearest>(m, "Nearest", "What Scene.nearest() gives.")
+      .def_property_readonly("triangle", looks_into(&Nearest::triangle),
+                             "uint32, (N,): its number, or hitpipe.no_triangle.")
+      .def_property_readonly("t", looks_into(&Nearest::t),
+                             "float64, (N,), in units of the ray's direction; inf: no hit.")
+      .def_property_readonly("weights", weights_of, "float64, (N, 3), of the triangle's corners; or None.");
+  py::class_<Counts>(m, "Counts", "What Scene.count() gives.")
+      .def_property_readonly("crossings", looks_into(&Counts::crossings), "uint32, (N,).")
+      .def_property_readonly("sides", looks_into(&Counts::sides),
+                             "int32, (N,): 1 for each way out, -1 for each way in.");
+  py::class_<Crossings>(m, "Crossings",
+                        "What Scene.all() gives: those of ray i are at offsets[i] to offsets[i + 1] - 1.")
+      .def_property_readonly("offsets", looks_into(&Crossings::offsets), "uint64, (N + 1,).")
+      .def_property_readonly("triangle", looks_into(&Crossings::triangle), "uint32, (offsets[N],).")
+      .def_property_readonly("t", looks_into(&Crossings::t), "float64, likewise; from near to far.")
+      .def_property_readonly("side", looks_into(&Crossings::side),
+                             "int8, likewise; 1: the way out, -1: the way in.");
   py::class_<SceneInfo>(m, "SceneInfo", "What Scene.info tells.")
       .def_property_readonly("world", [](const SceneInfo& info) { return std::string(info.world); })
       .def_readonly("triangles", &SceneInfo::triangles)
