@@ -1,3 +1,5 @@
+#include "sim/core/ray_fields.hpp"
+
 #include <bit>
 #include <cstddef>
 #include <cstdlib>
@@ -7,7 +9,6 @@
 
 #include "rays/world/int_ray.hpp"
 #include "rtl_gen/graph/word.hpp"
-#include "sim/core/core_bench.hpp"
 
 namespace hitpipe::sim {
 
