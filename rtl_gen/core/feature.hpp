@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,15 @@ struct CoreOption {
   /// What a user writes for a value: a word, or the number.
   [[nodiscard]] std::string text(int value) const;
 };
+/// Of an option that is a number or a flag of CoreOptions.
+template <auto Field>
+int number_at(const CoreOptions& options) {
+  return static_cast<int>(options.*Field);
+}
+template <auto Field>
+void put_number(CoreOptions& options, int value) {
+  options.*Field = static_cast<std::remove_reference_t<decltype(options.*Field)>>(value);
+}
 
 /// The registers FORMAT, SHAPE, PORTS and LIMITS, which the C header of a core has too, so that a driver sees whether
 /// they go together. Their fields are those of hls/machines/register_table.hpp that have a number in each core.

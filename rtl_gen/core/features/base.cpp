@@ -171,8 +171,8 @@ CoreOption number_option(CoreOption::Group group, std::string_view name, int lea
   return {.group = group,
           .name = name,
           .help = help,
-          .get = [](const CoreOptions& options) { return options.*Field; },
-          .set = [](CoreOptions& options, int value) { options.*Field = value; },
+          .get = number_at<Field>,
+          .set = put_number<Field>,
           .least = least,
           .most = most,
           .json = json};
@@ -213,16 +213,16 @@ std::vector<CoreOption> base_options() {
       {.group = bus,
        .name = "--data-bits",
        .help = "Width of the AXI bus to memory; a block has 256 bits",
-       .get = [](const Of& options) { return options.data_bits; },
-       .set = [](Of& options, int bits) { options.data_bits = bits; },
+       .get = number_at<&CoreOptions::data_bits>,
+       .set = put_number<&CoreOptions::data_bits>,
        .words = {{"64", 64}, {"128", 128}, {"256", 256}, {"512", 512}}},
       {.group = bus,
        .name = "--in-order",
        .help = "All AXI requests have one identifier, so memory answers in their order; else each ray has "
                "its own. A "
                "bus that has not 256 bits is always so",
-       .get = [](const Of& options) { return options.in_order ? 1 : 0; },
-       .set = [](Of& options, int is) { options.in_order = is != 0; },
+       .get = number_at<&CoreOptions::in_order>,
+       .set = put_number<&CoreOptions::in_order>,
        .is_flag = true},
   };
 }

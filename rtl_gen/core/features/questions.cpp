@@ -116,8 +116,8 @@ const Feature& feature() {
             .help =
                 "What a ray may ask: the nearest hit, any; the count of all crossings, the next one behind "
                 "a place, so that all are met in order, each once",
-            .get = [](const CoreOptions& options) { return options.questions ? 1 : 0; },
-            .set = [](CoreOptions& options, int is) { options.questions = is != 0; },
+            .get = number_at<&CoreOptions::questions>,
+            .set = put_number<&CoreOptions::questions>,
             .words = {{"nearest,any", 0}, {"nearest,any,count,next", 1}}}},
       .excludes = {{"rings", "rays at pins"}, {"serial_triangle", "a triangle unit"}},
       .change = change,

@@ -219,8 +219,8 @@ const Feature& feature() {
             .help =
                 "The core reads rays from a ring in memory and writes answers to another, by a port of its "
                 "own; with --door float",
-            .get = [](const CoreOptions& options) { return options.rings ? 1 : 0; },
-            .set = [](CoreOptions& options, int is) { options.rings = is != 0; },
+            .get = number_at<&CoreOptions::rings>,
+            .set = put_number<&CoreOptions::rings>,
             .is_flag = true,
             .json = "rings"}},
       .needs = {{"float_door", "integers"}},
