@@ -55,7 +55,6 @@ struct CosimCommand {
   rtl::FlowControl flow_control = rtl::FlowControl::stall;
   int interval = 1;
   int rays_in_flight = 32;
-  std::optional<int> ray_slots;
   bool referee = false;
   bool bit_level = false;
   std::string unit;
@@ -110,19 +109,6 @@ Row record(const CosimCommand& command, const rtl::Unit& unit, const ref::Scene&
     row["rtl_boxes_per_s"] = r.rtl_boxes_per_s();
     row["loop_boxes_per_s"] = r.loop_boxes_per_s();
   }
-  if (const auto& slots = unit.ray_slots) {
-    const auto bits = [](int of_one, std::uint64_t count) { return of_one * static_cast<double>(count); };
-    const auto per_box_test = [&](double all) {
-      return r.unit.box_tests == 0 ? 0.0 : all / static_cast<double>(r.unit.box_tests);
-    };
-    row.update({{"ray_slots", slots->slots()},
-                {"ray_writes", r.unit.ray_writes},
-                {"ray_end_writes", r.unit.end_writes},
-                {"bits_per_box_test_without_slots", per_box_test(bits(slots->bits_without(), r.unit.tests))},
-                {"bits_per_box_test", per_box_test(bits(slots->bits_of_test(), r.unit.tests) +
-                                                   bits(slots->bits_of_ray(), r.unit.ray_writes) +
-                                                   bits(slots->bits_of_end(), r.unit.end_writes))}});
-  }
   return row;
 }
 
@@ -145,11 +131,9 @@ void refuse_options(const CosimCommand& command, const rtl::Design& design) {
     refuse(command.boxes.bits.has_value(), "--boxes", "boxes");
     refuse(command.box_unit.has_value(), "--box-unit", "boxes");
     if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
-    if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
     return;
   }
   refuse(!command.unit.empty(), "--unit", "triangles");
-  refuse(command.ray_slots.has_value(), "--ray-slots", "triangles");
   refuse(command.referee, "--referee", "triangles");
   refuse(command.bit_level, "--bit-level", "triangles");
   if (!command.out.empty() && command.rays.given())
@@ -206,8 +190,7 @@ class Work {
 int cosimulate_boxes(const CosimCommand& command, const CLI::App& parsed, std::optional<Progress>& progress) {
   const rtl::Design& design = command.choice.design();
   const rtl::Library library = rtl::library_called(command.library);
-  const rtl::Unit bare = unit_of(command, library);
-  const rtl::Unit unit = command.ray_slots ? rtl::behind_ray_slots(bare, *command.ray_slots) : bare;
+  const rtl::Unit unit = unit_of(command, library);
   progress.emplace("reading the scene");
   Work work(command, parsed);
   const ref::LoadedBvh hierarchy = ref::make_hierarchy(work.scene, command.hierarchy);
@@ -216,7 +199,7 @@ int cosimulate_boxes(const CosimCommand& command, const CLI::App& parsed, std::o
   const sim::VerilatedDesign verilated(unit);
   const bool emits = !command.out.empty() && command.unit.empty();
   rtl::UnitFiles written;
-  if (emits) written = rtl::write_unit(command.out, rtl::emit(bare, {.ray_slots = command.ray_slots}));
+  if (emits) written = rtl::write_unit(command.out, rtl::emit(unit));
   progress.emplace("co-simulating");
   const sim::CosimResult result = sim::cosimulate(verilated, work.scene, hierarchy.bvh,
                                                   {.width = command.scene.width,
@@ -368,10 +351,6 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight, {1, sim::Station::most_rays},
                    "Rays that share one pipeline")
       ->capture_default_str();
-  add_count_option(
-      *command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
-      "Run the unit behind a memory of N rays, as `hitpipe rtl --ray-slots` writes it, with a slot "
-      "for each ray in flight");
   add_light_options(*command, options->light);
   add_ray_list_options(*command, options->rays);
   command->add_flag("--referee", options->referee, "Exact arithmetic judges every answer");

@@ -12,7 +12,6 @@
 #include "cli/text/table.hpp"
 #include "host/talk.hpp"
 #include "rtl_gen/component/library.hpp"
-#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/result_fifo.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
@@ -35,7 +34,6 @@ struct RtlOptions {
   bool flow_control_given = false;
   bool axi_stream = false;
   bool fifo = false;
-  std::optional<int> ray_slots;
   bool hls = false;
   int vectors = sim::usual_vectors;
   std::uint64_t seed = sim::usual_seed;
@@ -61,11 +59,9 @@ void emit_rtl(const RtlOptions& options) {
       {.module = options.name.value_or(""), .flow_control = flow_control_of(options, pipeline)});
   const rtl::VectorSet vectors =
       sim::design_vectors(design, format, static_cast<std::size_t>(options.vectors), options.seed);
-  const rtl::EmittedDesign emitted = rtl::emit(unit, {.axi_stream = options.axi_stream,
-                                                      .fifo = options.fifo,
-                                                      .ray_slots = options.ray_slots,
-                                                      .hls = options.hls,
-                                                      .vectors = &vectors});
+  const rtl::EmittedDesign emitted = rtl::emit(
+      unit,
+      {.axi_stream = options.axi_stream, .fifo = options.fifo, .hls = options.hls, .vectors = &vectors});
   const rtl::UnitFiles written = rtl::write_unit(options.out, emitted);
 
   std::vector<std::string> names;
@@ -119,14 +115,11 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
       "--fifo", options->fifo,
       "Also write <module>_fifo.v: valid and ready around a design without flow control, by a FIFO "
       "for its results and a count of the places in it");
-  add_count_option(*command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
-                   "Also write <module>_slots.v, the design behind a memory of N rays: a ray is sent once, "
-                   "and its tests name its slot; N is rounded up to a power of two");
   command->add_flag("--hls", options->hls,
                     "Also write hls/: the design as a C++ top function for high-level synthesis, with "
                     "scripts for Vitis HLS, Catapult and Bambu");
-  of_units(*command, {"--block-luts", "--clock-ps", "--ii", "--flow-control", "--axi-stream", "--fifo",
-                      "--ray-slots", "--hls"});
+  of_units(*command,
+           {"--block-luts", "--clock-ps", "--ii", "--flow-control", "--axi-stream", "--fifo", "--hls"});
   add_examples(*command, {"hitpipe rtl int_slabs --out unit",
                           "hitpipe rtl int_major --bits 16+1/11s16 --axi-stream --out unit"});
   command->callback([options, command, flow, cycles] {

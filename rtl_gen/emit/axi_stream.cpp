@@ -46,30 +46,22 @@ struct StreamText {
   std::string data, data_with_spare;  ///< high fields first; of the unit, or of the spare latches if full
 };
 
-/// The channel of rays that are written to slots.
-constexpr const char* ray_channel = "ray";
-
 /// The wrapper as text. `inside` is the module that it contains, which has valid and ready.
 struct Wrapper {
   Wrapper(const ModuleInterface& contained, bool stalls_inside)
       : inside(contained),
         result(inside.results()),
-        has_rays(inside.has_ready(ray_channel)),
         stalls(stalls_inside),
-        tests(inside.operands(), has_rays ? "test" : "s_axis_tdata"),
-        rays(inside.data(ray_channel), "s_axis_ray_tdata") {}
+        tests(inside.operands(), "s_axis_tdata") {}
 
   /// Each result NAME has a wire out_NAME and, behind a unit that stalls, a latch spare_NAME.
   [[nodiscard]] std::string instance() const {
     std::size_t next_test = 0;
-    std::size_t next_ray = 0;
     return inside.instance("design_i", "TAG_BITS", [&](const Pin& pin) -> std::string {
       if (pin.role == Pin::Role::clock) return "aclk";
       if (pin.role == Pin::Role::reset) return "~aresetn";
-      if (pin.channel == ray_channel) return pin.role == Pin::Role::data ? rays.bits[next_ray++] : pin.name;
       if (pin.channel == tests_channel) {
         if (pin.role == Pin::Role::data) return tests.bits[next_test++];
-        if (has_rays) return pin.role == Pin::Role::tag ? "test_tag" : pin.name;
         return pin.role == Pin::Role::tag ? "s_axis_tid" : "s_axis_t" + pin.name.substr(3);
       }
       if (pin.role == Pin::Role::data) return "out_" + pin.name;
@@ -79,46 +71,15 @@ struct Wrapper {
   }
 
   [[nodiscard]] std::string unused() const {
-    std::vector<std::string> padding = tests.padding;
-    padding.insert(padding.end(), rays.padding.begin(), rays.padding.end());
-    return padding.empty()
-               ? ""
-               : fmt::format("\n  // Padding.\n  wire unused = &{{1'b0, {}}};\n", fmt::join(padding, ", "));
+    if (tests.padding.empty()) return "";
+    return fmt::format("\n  // Padding.\n  wire unused = &{{1'b0, {}}};\n", fmt::join(tests.padding, ", "));
   }
 
   ModuleInterface inside;
   StreamText result;
-  bool has_rays;
   bool stalls;
-  BeatText tests, rays;
+  BeatText tests;
 };
-
-/// A test waits for a write to its slot, which is known within the cycle. Here s_axis_tready follows from a
-/// register. While a test is held, writes wait, so that it reads what was written before it.
-constexpr const char* holding_a_test =
-    R"(  // Holds a test that has to wait. Writes wait with it, so that it does not see later ones.
-  reg held_valid;
-  reg [{0}:0] held;
-  reg {1} held_tag;
-  wire in_ready;
-  wire in_valid = held_valid | s_axis_tvalid;
-  wire [{0}:0] test = held_valid ? held : s_axis_tdata;
-  wire {1} test_tag = held_valid ? held_tag : s_axis_tid;
-  wire ray_ready;
-  wire ray_valid = s_axis_ray_tvalid & ~held_valid;
-  assign s_axis_tready = ~held_valid;
-  assign s_axis_ray_tready = ray_ready & ~held_valid;
-  always @(posedge aclk) begin
-    if (~aresetn) held_valid <= 1'b0;
-    else held_valid <= in_valid & ~in_ready;
-  end
-  always @(posedge aclk) begin
-    if (~held_valid) begin
-      held <= s_axis_tdata;
-      held_tag <= s_axis_tid;
-    end
-  end
-)";
 
 /// The fields of tdata, in port order from bit 0.
 Json stream_side(const std::vector<Port>& ports) {
@@ -160,44 +121,35 @@ std::string stream_module(const std::string& module) {
   return module + "_axis";
 }
 
-ModuleInterface stream_interface(const ModuleInterface& unit, const RaySlots* slots) {
+ModuleInterface stream_interface(const ModuleInterface& unit) {
   using Role = Pin::Role;
   ModuleInterface stream{stream_module(unit.module),
                          {{"aclk", Role::clock, "", true}, {"aresetn", Role::reset, "", true}},
                          unit.interval};
-  const auto add = [&](const std::string& channel, bool is_input, const std::vector<Port>& data,
-                       bool has_tag) {
+  const auto add = [&](const std::string& channel, bool is_input, const std::vector<Port>& data) {
     stream.pins.push_back({channel + "_tvalid", Role::valid, channel, is_input});
     stream.pins.push_back({channel + "_tready", Role::ready, channel, !is_input});
     stream.pins.push_back({channel + "_tdata", Role::data, channel, is_input, stream_bits(data)});
-    if (has_tag) stream.pins.push_back({channel + "_tid", Role::tag, channel, is_input, Pin::tag_width});
+    stream.pins.push_back({channel + "_tid", Role::tag, channel, is_input, Pin::tag_width});
   };
-  if (slots != nullptr) add("s_axis_ray", true, slots->interface.data(ray_channel), false);
-  add("s_axis", true, slots != nullptr ? slots->interface.operands() : unit.operands(), true);
-  add("m_axis", false, unit.results(), true);
+  add("s_axis", true, unit.operands());
+  add("m_axis", false, unit.results());
   return stream;
 }
 
-std::string axi_stream(const ModuleInterface& unit, const RaySlots* slots) {
-  const ModuleInterface stream = stream_interface(unit, slots);
+std::string axi_stream(const ModuleInterface& unit) {
+  const ModuleInterface stream = stream_interface(unit);
   const bool stalls = unit.flow_control() == FlowControl::stall;
-  const Wrapper wrapper(slots != nullptr ? slots->interface : stalls ? unit : fifo_interface(unit), stalls);
+  const Wrapper wrapper(stalls ? unit : fifo_interface(unit), stalls);
   const StreamText& result = wrapper.result;
   ModuleInterface results{unit.module, {}};
   add_data(results.pins, results_channel, false, unit.results());
   check_names(stream, results, {"valid", "tag"});
-  const std::string rays =
-      wrapper.has_rays
-          ? fmt::format("s_axis_ray_tdata, which is written to a slot:\n{}// ", wrapper.rays.layout)
-          : "";
-  std::string text = fmt::format(
-      R"(// {} behind AXI4-Stream, the tag as tid. m_axis_tdata: {}. {}s_axis_tdata:
+  const std::string text = fmt::format(
+      R"(// {} behind AXI4-Stream, the tag as tid. m_axis_tdata: {}. s_axis_tdata:
 {}// Generated by hitpipe; do not edit.
 {})",
-      slots != nullptr ? slots->module() : unit.module, fmt::join(result.layout, ", "), rays,
-      wrapper.tests.layout, stream.head());
-  if (wrapper.has_rays)
-    text += fmt::format(holding_a_test, stream_bits(wrapper.inside.operands()) - 1, tag_range);
+      unit.module, fmt::join(result.layout, ", "), wrapper.tests.layout, stream.head());
   if (!stalls)
     return text + fmt::format("{}{}  assign m_axis_tdata = {{{}}};\n{}endmodule\n", result.wires,
                               wrapper.instance(), result.data, wrapper.unused());
@@ -228,15 +180,14 @@ std::string axi_stream(const ModuleInterface& unit, const RaySlots* slots) {
              result.data_with_spare, tag_range);
 }
 
-Json stream_json(const ModuleInterface& unit, const RaySlots* slots) {
+Json stream_json(const ModuleInterface& unit) {
   const std::string module = stream_module(unit.module);
   Json json{{"module", module},
             {"file", module + ".v"},
             {"clock", "aclk, rising edge"},
             {"reset", "aresetn, synchronous, active low"},
             {"tid", "the tag, TAG_BITS"}};
-  if (slots != nullptr) json["s_axis_ray"] = stream_side(slots->interface.data(ray_channel));
-  json["s_axis"] = stream_side(slots != nullptr ? slots->interface.operands() : unit.operands());
+  json["s_axis"] = stream_side(unit.operands());
   json["m_axis"] = stream_side(unit.results());
   return json;
 }

@@ -2,15 +2,13 @@
 // module. A beat of s_axis is one test, and its tid is the tag. A beat of m_axis holds the results of one.
 // There is a register on every path from input to output. In front of a unit that stalls, a spare latch holds
 // the result that has already left the pipeline when m_axis_tready falls. A unit without flow control is
-// behind its result FIFO. With ray slots there is a third stream, s_axis_ray; a test sees the beats that
-// s_axis_ray took at the same edge or earlier. Latency and throughput stay as they are without the wrapper.
+// behind its result FIFO. Latency and throughput stay as they are without the wrapper.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "rtl_gen/emit/manifest.hpp"
-#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
@@ -39,13 +37,12 @@ struct BeatText {
 
 /// The name of the wrapper of a unit's module.
 [[nodiscard]] std::string stream_module(const std::string& module);
-/// aclk, aresetn, s_axis and m_axis. With ray slots before the unit also s_axis_ray, whose beats are written
-/// to slots.
-[[nodiscard]] ModuleInterface stream_interface(const ModuleInterface& unit, const RaySlots* slots = nullptr);
-/// The wrapper in Verilog-2001, without the modules that it contains: the unit, its result FIFO if it has no
-/// flow control, its ray slots. Throws as check_names() does.
-[[nodiscard]] std::string axi_stream(const ModuleInterface& unit, const RaySlots* slots = nullptr);
+/// aclk, aresetn, s_axis and m_axis.
+[[nodiscard]] ModuleInterface stream_interface(const ModuleInterface& unit);
+/// The wrapper in Verilog-2001, without the modules that it contains: the unit, and its result FIFO if it has no
+/// flow control. Throws as check_names() does.
+[[nodiscard]] std::string axi_stream(const ModuleInterface& unit);
 /// The object axi_stream of a manifest: module, file, clock, reset, and the fields of tdata and tid.
-[[nodiscard]] Json stream_json(const ModuleInterface& unit, const RaySlots* slots = nullptr);
+[[nodiscard]] Json stream_json(const ModuleInterface& unit);
 
 }  // namespace hitpipe::rtl

@@ -15,7 +15,6 @@
 #include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/port_vectors.hpp"
-#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/result_fifo.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/prune/check_block.hpp"
@@ -78,15 +77,11 @@ std::string core_file(const Unit& unit, const Wrappers& around) {
   core.add_verilog("rtl", module);
   if (around.fifo) core.add_verilog("fifo", fifo_module(module));
   if (around.axi_stream) core.add_verilog("axis", stream_module(module));
-  const std::string slots = around.slots != nullptr ? around.slots->module() : "";
-  if (!slots.empty()) core.add_verilog("slots", slots);
   if (fitted) core.add_verilog("check", module + "_check");
   std::vector<std::string> sources{"rtl"};
-  if (!slots.empty()) sources.emplace_back("slots");
   if (around.fifo) sources.emplace_back("fifo");
   if (around.axi_stream) sources.emplace_back("axis");
   const std::string top = around.axi_stream ? stream_module(module)
-                          : !slots.empty()  ? slots
                           : around.fifo     ? fifo_module(module)
                                             : module;  // the outermost
   core.add_test("tb", {{"tb/" + top + "_tb.sv", "systemVerilogSource"}}, module + "_vectors.hex");
@@ -114,7 +109,6 @@ std::vector<File> EmittedDesign::files(const std::vector<File>& drawings) const 
   if (check_module) all.push_back(*check_module);
   if (fifo) all.push_back(*fifo);
   if (axi_stream) all.push_back(*axi_stream);
-  if (ray_slots) all.push_back(*ray_slots);
   all.insert(all.end(), schematics.begin(), schematics.end());
   all.insert(all.end(), hls.begin(), hls.end());
   all.insert(all.end(), drawings.begin(), drawings.end());
@@ -143,20 +137,15 @@ EmittedDesign emit(const Unit& unit, const EmitOptions& options) {
   const VectorSet& vectors = options.vectors == nullptr ? drawn : *options.vectors;
   const int latency = unit.pipeline->latency();
   const bool fifo = options.fifo || (options.axi_stream && unit.flow_control() == FlowControl::none);
-  std::optional<RaySlots> slots;
-  if (options.ray_slots) slots = ray_slots(interface, unit.ports(), *options.ray_slots, fifo);
-  const RaySlots* const before = slots ? &*slots : nullptr;
   Json json = manifest(unit, unit.library);
-  if (options.axi_stream) json["axi_stream"] = stream_json(interface, before);
+  if (options.axi_stream) json["axi_stream"] = stream_json(interface);
   if (fitted) add_demands(json, unit.demands, unit.report);
-  if (slots) json["ray_slots"] = ray_slots_json(*slots, latency);
   if (fifo) json["result_fifo"] = fifo_json(interface, latency);
   const int count = static_cast<int>(vectors.size());
   EmittedDesign emitted{
       .module = name,
       .verilog = {name + ".v", unit.verilog},
-      .core = {name + ".core",
-               core_file(unit, {.fifo = fifo, .slots = before, .axi_stream = options.axi_stream})},
+      .core = {name + ".core", core_file(unit, {.fifo = fifo, .axi_stream = options.axi_stream})},
       .testbench = {"tb/" + name + "_tb.sv", testbench(interface, count, latency)},
       .more_testbenches = {},
       .harness = {"tb/" + name + "_harness.cpp", harness(interface, count, latency)},
@@ -166,7 +155,6 @@ EmittedDesign emit(const Unit& unit, const EmitOptions& options) {
       .check_module = {},
       .fifo = {},
       .axi_stream = {},
-      .ray_slots = {},
       .schematics = stage_schematics(unit, title + (fitted ? ", fitted" : "")),
       .hls = {},
       .manifest = std::make_shared<const Json>(std::move(json))};
@@ -176,12 +164,9 @@ EmittedDesign emit(const Unit& unit, const EmitOptions& options) {
         {"tb/" + top + "_tb.sv", testbench(interface, count, latency, around)});
   };
   if (fifo) add_testbench(fifo_module(name), {.fifo = true});
-  if (slots) add_testbench(slots->module(), {.fifo = fifo, .slots = before});
-  if (options.axi_stream)
-    add_testbench(stream_module(name), {.fifo = fifo, .slots = before, .axi_stream = true});
+  if (options.axi_stream) add_testbench(stream_module(name), {.fifo = fifo, .axi_stream = true});
   if (fifo) emitted.fifo = {fifo_module(name) + ".v", result_fifo(interface, latency)};
-  if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(interface, before)};
-  if (slots) emitted.ray_slots = {slots->module() + ".v", to_verilog(*slots)};
+  if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(interface)};
   if (options.hls) {
     emitted.hls = hls_top(*unit.design, unit.format, name, unit.interval()).files();
     for (File& file : emitted.hls) file.name.insert(0, "hls/");

@@ -18,10 +18,7 @@ using host::File;
 struct EmitOptions {
   bool axi_stream = false;  ///< adds the AXI4-Stream wrapper; core and manifest name it
   bool fifo = false;        ///< adds the result FIFO, only with FlowControl::none; core and manifest name it
-  /// Adds the wrapper with as many ray slots, rounded up to a power of two; core and manifest name it. A FIFO
-  /// is inside it, and an AXI4-Stream wrapper is around it.
-  std::optional<int> ray_slots{};
-  bool hls = false;  ///< adds the top function for high-level synthesis
+  bool hls = false;         ///< adds the top function for high-level synthesis
   /// Vectors for the testbench, of all ports of the whole design. Null: 1000 that are drawn at the ports.
   const VectorSet* vectors = nullptr;
 };
@@ -39,7 +36,6 @@ struct EmittedDesign {
   std::optional<File> check_module;    ///< <module>_check.v, of a fitted unit
   std::optional<File> fifo;            ///< <module>_fifo.v, if asked for or needed by the AXI4-Stream wrapper
   std::optional<File> axi_stream;      ///< <module>_axis.v, if asked for
-  std::optional<File> ray_slots{};     ///< <module>_slots.v, if asked for
   std::vector<File> schematics{};      ///< a .dot for each group of stages, from the first on
   std::vector<File> hls{};             ///< hls/: the top function and its script, if asked for
   std::shared_ptr<const Json> manifest;  ///< without the list of files
@@ -50,7 +46,7 @@ struct EmittedDesign {
 
 /// The same bytes for the same unit. Of a fitted unit it adds the check module and the demands in the
 /// manifest, and the vectors meet the demands. A wrapper of a unit without flow control contains the result
-/// FIFO. Throws as hls_top(), ray_slots() and result_fifo() do, and std::invalid_argument, one line, for
+/// FIFO. Throws as hls_top() and result_fifo() do, and std::invalid_argument, one line, for
 /// options that do not go together.
 [[nodiscard]] EmittedDesign emit(const Unit& unit, const EmitOptions& options = {});
 

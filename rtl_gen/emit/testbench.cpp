@@ -39,17 +39,16 @@ struct ResultText {
 
 /// What differs between a unit that takes part in a handshake and one whose latency is fixed.
 struct FlowText {
-  FlowText(bool has_ready, bool tests_wait, bool has_rays, bool is_stream, int latency, int interval)
-      : ready(has_ready), waits(tests_wait), rays(has_rays), stream(is_stream) {
+  FlowText(bool has_ready, bool tests_wait, bool is_stream, int latency, int interval)
+      : ready(has_ready), waits(tests_wait), stream(is_stream) {
     if (ready) {
-      // A place of a FIFO fills in an interval, and where a ray is written before each test in up to 4
-      // cycles.
+      // A place of a FIFO fills in an interval. This is some four times as long.
       constants = fmt::format(
           "  // The results stand still for STILL_CYCLES cycles of 8 * STILL_CYCLES, so that all that can "
           "hold one is full.\n"
           "  localparam integer STILL_CYCLES = {};\n",
           4 * (latency + 2 * interval) + 16);
-      more = rays || stream ? "\n  reg full, taken;" : "\n  reg full;";
+      more = stream ? "\n  reg full, taken;" : "\n  reg full;";
       return;
     }
     // Long enough to show what comes that was never sent.
@@ -76,12 +75,11 @@ struct FlowText {
     end
 )",
                          takes, compare,
-                         rays || stream
-                             ? fmt::format("      taken = in_valid && in_ready;\n{}      @(posedge clk);\n"
-                                           "      #1 if (taken) sent = sent + 1;\n{}",
-                                           rays ? "      wrote = ray_valid && ray_ready;\n" : "",
-                                           rays ? "      if (wrote) next_write;\n" : "")
-                             : R"(      if (in_valid && in_ready) begin
+                         stream ? R"(      taken = in_valid && in_ready;
+      @(posedge clk);
+      #1 if (taken) sent = sent + 1;
+)"
+                                : R"(      if (in_valid && in_ready) begin
         @(posedge clk);
         #1 sent = sent + 1;
       end
@@ -103,52 +101,20 @@ struct FlowText {
 {}      @(posedge clk);
       due = {{due[LATENCY-1:0], {}}};
       #1 if ({}) sent = sent + 1;
-{}      @(negedge clk);
+      @(negedge clk);
       cycles = cycles + 1;
       if (received == COUNT) idle = idle + 1;
     end
 )",
-                       compare,
-                       std::string(waits ? "      taken = in_valid && in_ready;\n" : "") +
-                           (rays ? "      wrote = ray_valid && ray_ready;\n" : ""),
-                       waits ? "taken" : "in_valid", waits ? "taken" : "in_valid",
-                       rays ? "      if (wrote) next_write;\n" : "");
+                       compare, waits ? "      taken = in_valid && in_ready;\n" : "",
+                       waits ? "taken" : "in_valid", waits ? "taken" : "in_valid");
   }
 
   bool ready;   ///< on both sides
   bool waits;   ///< tests wait for in_ready
-  bool rays;    ///< rays are written to slots
   bool stream;  ///< what is offered stays until it is taken
   std::string constants, more;
 };
-
-/// What writes the ray of each vector to a slot, before its test goes in or at the same edge. Where rays have
-/// ends of their own, some rays are first written with another end, and then their end alone.
-std::string ray_writer(const RaySlots& slots, int width) {
-  const bool ends = !slots.end.empty();
-  return fmt::format(
-      R"(  // The ray of vector n is written to slot n modulo SLOTS, after the test that used the slot has gone in.
-  localparam integer SLOTS = {0};
-  integer written;
-  reg ray_valid, wrote;
-{1}  wire ray_ready;
-  wire [BITS-1:RESULT_BITS] ray = vectors[written < COUNT ? written : 0][{2}:RESULT_BITS];
-  wire unused_operands = &{{1'b0, operands, ray}};  // a ray and a test are parts of a vector
-
-  task next_write;
-    begin
-{3}    end
-  endtask
-
-)",
-      slots.slots(),
-      ends ? "  reg partial, end_only;  // the end is not yet right; it alone is written\n" : "", width - 1,
-      ends ? R"(      end_only = partial;
-      if (!partial) written = written + 1;
-      partial = !partial && random[21:20] == 2'd0;
-)"
-           : "      written = written + 1;\n");
-}
 
 /// Lines that compare results and tag.
 std::string comparison(const ResultText& result) {
@@ -181,9 +147,8 @@ struct Bench {
         width(total_width(of.operands()) + total_width(of.results())),
         ready(of.flow_control() == FlowControl::stall || wrappers.fifo || wrappers.axi_stream),
         result(of.results(), "expected"),
-        flow(ready, ready || of.interval > 1 || slots != nullptr, slots != nullptr, wrappers.axi_stream,
-             slots != nullptr ? slots->latency(latency) : latency, of.interval),
-        top(tested(of, wrappers, wires_of(of.operands(), width, slots))) {}
+        flow(ready, ready || of.interval > 1, wrappers.axi_stream, latency, of.interval),
+        top(tested(of, wrappers, wires_of(of.operands(), width))) {}
 
   [[nodiscard]] std::string head() const;
   [[nodiscard]] std::string begins() const;
@@ -192,7 +157,6 @@ struct Bench {
   const ModuleInterface& unit;
   const int count;
   const Wrappers& around;
-  const RaySlots* const slots = around.slots;
   const int width;
   const bool ready;
   const ResultText result;
@@ -226,7 +190,7 @@ module {top}_tb;
   wire [BITS-1:RESULT_BITS] operands = vectors[sent][BITS-1:RESULT_BITS];
   wire [RESULT_BITS-1:0] expected = vectors[received][RESULT_BITS-1:0];
 
-{ray_writer}  {top} #(.TAG_BITS(16)) dut (
+  {top} #(.TAG_BITS(16)) dut (
     {test_pins},
     {result_pins},
 {data_pins}
@@ -240,7 +204,6 @@ module {top}_tb;
       fmt::arg("constants", flow.constants), fmt::arg("out_ready", flow.only_with_ready(", out_ready")),
       fmt::arg("more", flow.more), fmt::arg("in_ready", flow.waits ? "in_ready, " : ""),
       fmt::arg("result_bits", result.bits), fmt::arg("result_wires", result.wires + top.wires),
-      fmt::arg("ray_writer", slots != nullptr ? ray_writer(*slots, width) : ""),
       fmt::arg("test_pins", top.test_pins), fmt::arg("result_pins", top.result_pins),
       fmt::arg("data_pins", top.data_pins));
 }
@@ -255,34 +218,21 @@ std::string Bench::begins() const {
       $dumpvars(0, {top}_tb);
     end
     rst = 1'b1; in_valid = 1'b0;{no_out_ready}
-    sent = 0; received = 0; cycles = 0; random = 32'd1;{nothing_due}{nothing_written}
+    sent = 0; received = 0; cycles = 0; random = 32'd1;{nothing_due}
     read_vectors;
     repeat (4) @(negedge clk);
     rst = 1'b0;
 )",
       fmt::arg("seen", flow.ready ? "handshakes" : "results"), fmt::arg("top", top.module),
       fmt::arg("no_out_ready", flow.only_with_ready(" out_ready = 1'b0;")),
-      fmt::arg("nothing_due", flow.ready ? "" : " due = 0; idle = 0;"),
-      fmt::arg("nothing_written", slots == nullptr ? ""
-                                  : slots->end.empty()
-                                      ? " ray_valid = 1'b0; written = 0;"
-                                      : " ray_valid = 1'b0; partial = 1'b0; end_only = 1'b0; written = 0;"));
+      fmt::arg("nothing_due", flow.ready ? "" : " due = 0; idle = 0;"));
 }
 
 /// A cycle, and the end.
 std::string Bench::loop() const {
   const std::string in_time =
       fmt::format("cycles < {} * COUNT{} + 1000", 16 * unit.interval, ready ? " + 16 * STILL_CYCLES" : "");
-  std::string sendable = "COUNT";
-  std::string ray_valid;
-  if (slots != nullptr) {
-    // A test may come at the edge at which its ray is written; then it waits for a cycle.
-    sendable = fmt::format("written + {{31'd0, ray_valid{}}}", slots->end.empty() ? "" : " && !partial");
-    ray_valid = fmt::format(
-        "      ray_valid = {}written != COUNT && written - sent < SLOTS && random[15:12] != 4'd0;\n",
-        around.axi_stream ? "(ray_valid && !wrote) || " : "");
-  }
-  const bool is_plain = slots == nullptr && !around.fifo && !around.axi_stream;
+  const bool is_plain = !around.fifo && !around.axi_stream;
   const char* const takes = ready && is_plain && unit.interval == 1
                                 ? R"(      if (in_ready !== (out_ready || !out_valid)) begin
         $display("FAIL cycle %0d: in_ready %b, out_ready %b, out_valid %b", cycles, in_ready, out_ready, out_valid);
@@ -296,7 +246,7 @@ std::string Bench::loop() const {
       random = random ^ (random << 13);
       random = random ^ (random >> 17);
       random = random ^ (random << 5);
-{ray_valid}{full}      in_valid = {held}sent != {sendable} && {offers};
+{full}      in_valid = {held}sent != COUNT && {offers};
 {drive}    if (received != COUNT) begin
       $display("FAIL %0d of %0d vectors came back", received, COUNT);
       $fatal(1);
@@ -309,9 +259,9 @@ endmodule
       fmt::arg("running", flow.ready   ? "received != COUNT && " + in_time
                           : flow.waits ? "idle != SILENT_CYCLES && " + in_time
                                        : "idle != SILENT_CYCLES"),
-      fmt::arg("stalls", flow.only_with_ready(" and stalls")), fmt::arg("ray_valid", ray_valid),
+      fmt::arg("stalls", flow.only_with_ready(" and stalls")),
       fmt::arg("full", flow.only_with_ready("      full = cycles / STILL_CYCLES % 8 == 1;\n")),
-      fmt::arg("held", around.axi_stream ? "(in_valid && !taken) || " : ""), fmt::arg("sendable", sendable),
+      fmt::arg("held", around.axi_stream ? "(in_valid && !taken) || " : ""),
       fmt::arg("offers", ready ? "(full || random[9:8] != 2'd0)" : "random[9:8] != 2'd0"),
       fmt::arg("drive", flow.drive(comparison(result), takes)));
 }

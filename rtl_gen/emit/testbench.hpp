@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
@@ -16,10 +15,9 @@ namespace hitpipe::rtl {
 /// it is due, `latency` edges after its operands.
 ///
 /// `around` are the wrappers of the unit; the testbench then is that of the outermost and replays the unit's
-/// vectors through it. Before a test goes in, its ray is written to a slot.
+/// vectors through it.
 struct Wrappers {
   bool fifo = false;
-  const RaySlots* slots = nullptr;
   bool axi_stream = false;
 };
 [[nodiscard]] std::string testbench(const ModuleInterface& unit, int count, int latency,

@@ -1,7 +1,5 @@
 #include "rtl_gen/emit/testbench_pins.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -40,44 +38,25 @@ std::vector<std::string> bits_of_ports(const std::string& word, const std::vecto
   return all;
 }
 
-Wires wires_of(const std::vector<Port>& ports, int width, const RaySlots* slots) {
+Wires wires_of(const std::vector<Port>& ports, int width) {
   Wires wires;
   const std::vector<std::string> operands = bits_of_ports("operands", ports, width);
   for (std::size_t i = 0; i < ports.size(); ++i) wires[ports[i].name] = operands[i];
-  if (slots == nullptr) return wires;
-  const std::vector<std::string> of_ray = bits_of_ports("ray", ports, width);
-  const auto among = [](const std::vector<Port>& some, const std::string& name) {
-    return std::any_of(some.begin(), some.end(), [&](const Port& port) { return port.name == name; });
-  };
-  for (std::size_t i = 0; i < ports.size(); ++i) {
-    if (among(slots->line, ports[i].name))
-      wires[ports[i].name] =
-          slots->end.empty() ? of_ray[i] : fmt::format("{} ^ {{{}{{end_only}}}}", of_ray[i], ports[i].width);
-    if (among(slots->end, ports[i].name))
-      wires[ports[i].name] = fmt::format("{} ^ {{{}{{partial}}}}", of_ray[i], ports[i].width);
-  }
-  wires["ray_end_only"] = "end_only";
-  wires["ray_slot"] = fmt::format("written[{}:0]", slots->slot_bits - 1);
-  wires["in_slot"] = fmt::format("sent[{}:0]", slots->slot_bits - 1);
   return wires;
 }
 
 Tested tested(const ModuleInterface& unit, const Wrappers& around, const Wires& wires) {
-  const ModuleInterface inner = around.slots != nullptr ? around.slots->interface
-                                : around.fifo           ? fifo_interface(unit)
-                                                        : unit;
+  const ModuleInterface inner = around.fifo ? fifo_interface(unit) : unit;
   const auto wire = [&](const Pin& pin) {
     if (pin.channel == tests_channel && pin.role == Pin::Role::tag) return std::string("sent[15:0]");
     const auto found = wires.find(pin.name);
     return found == wires.end() ? pin.name : found->second;
   };
   if (!around.axi_stream) {
-    return {inner.module,
-            around.slots != nullptr ? inner.control_connections({"", "ray", tests_channel}, wire)
-                                    : inner.control_connections({"", tests_channel}, wire),
+    return {inner.module, inner.control_connections({"", tests_channel}, wire),
             inner.control_connections({results_channel}, wire), inner.data_connections(wire), ""};
   }
-  const ModuleInterface stream = stream_interface(unit, around.slots);
+  const ModuleInterface stream = stream_interface(unit);
   std::vector<std::string> unused;
   std::string results = fmt::format("  wire [{}:0] result_beat;\n", stream_bits(unit.results()) - 1);
   for (const StreamField& field : stream_fields(unit.results())) {
@@ -94,14 +73,11 @@ Tested tested(const ModuleInterface& unit, const Wrappers& around, const Wires& 
       return pin.role == Pin::Role::data  ? "result_beat"
              : pin.role == Pin::Role::tag ? "out_tag"
                                           : "out_" + pin.name.substr(sizeof("m_axis_t") - 1);
-    const bool of_ray = pin.channel == "s_axis_ray";
-    if (pin.role == Pin::Role::data) return beat(inner.data(of_ray ? "ray" : tests_channel), wires);
+    if (pin.role == Pin::Role::data) return beat(inner.operands(), wires);
     if (pin.role == Pin::Role::tag) return "sent[15:0]";
-    return (of_ray ? "ray_" : "in_") + pin.name.substr(pin.channel.size() + 2);
+    return "in_" + pin.name.substr(pin.channel.size() + 2);
   };
-  return {stream.module,
-          around.slots != nullptr ? stream.control_connections({"", "s_axis_ray", "s_axis"}, stream_wire)
-                                  : stream.control_connections({"", "s_axis"}, stream_wire),
+  return {stream.module, stream.control_connections({"", "s_axis"}, stream_wire),
           stream.control_connections({"m_axis"}, stream_wire), stream.data_connections(stream_wire), results};
 }
 

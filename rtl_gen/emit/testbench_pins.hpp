@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 
@@ -25,8 +24,8 @@ struct Tested {
   std::string wires;  ///< declarations beyond those of a unit
 };
 
-/// The wires of the operands, of slots and of ray_end_only. `width` is that of a vector.
-[[nodiscard]] Wires wires_of(const std::vector<Port>& operands, int width, const RaySlots* slots);
+/// The wires of the operands. `width` is that of a vector.
+[[nodiscard]] Wires wires_of(const std::vector<Port>& operands, int width);
 /// `wires` are those of wires_of().
 [[nodiscard]] Tested tested(const ModuleInterface& unit, const Wrappers& around, const Wires& wires);
 

@@ -33,10 +33,4 @@ Unit make_unit(const Design& design, const Format& format, const Library& librar
   return unit;
 }
 
-Unit behind_ray_slots(Unit unit, int slots) {
-  unit.ray_slots = ray_slots(unit.interface, unit.ports(), slots);
-  unit.verilog += to_verilog(*unit.ray_slots);
-  return unit;
-}
-
 }  // namespace hitpipe::rtl

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/part/part.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/report.hpp"
@@ -15,11 +14,10 @@ namespace hitpipe::rtl {
 struct Unit : Part {
   Library library;
   std::string verilog;
-  Demands demands{};                    ///< none of a whole unit
-  PruneReport report{};                 ///< what the demands left out; nothing of a unit that was read
-  std::optional<RaySlots> ray_slots{};  ///< a memory of rays before the unit, also in the Verilog
+  Demands demands{};     ///< none of a whole unit
+  PruneReport report{};  ///< what the demands left out; nothing of a unit that was read
 
-  /// The top of its Verilog, without ray slots.
+  /// The top of its Verilog.
   [[nodiscard]] const std::string& module() const { return interface.module; }
   [[nodiscard]] FlowControl flow_control() const { return interface.flow_control(); }
   [[nodiscard]] int interval() const { return interface.interval; }
@@ -42,9 +40,5 @@ struct UnitOptions {
 [[nodiscard]] Unit make_unit(const Design& design, const Format& format, const Library& library,
                              Pipeline pipeline, Demands demands, PruneReport report,
                              const UnitOptions& options = {});
-
-/// The unit behind a memory of as many rays, rounded up to a power of two. Throws as ray_slots() does, and
-/// std::invalid_argument, one line, for a unit without flow control.
-[[nodiscard]] Unit behind_ray_slots(Unit unit, int slots);
 
 }  // namespace hitpipe::rtl

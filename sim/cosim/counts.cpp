@@ -1,7 +1,5 @@
 #include "sim/cosim/counts.hpp"
 
-#include <fmt/format.h>
-
 namespace hitpipe::sim {
 
 namespace {
@@ -31,16 +29,8 @@ UnitCounts& UnitCounts::operator+=(const UnitCounts& other) {
   add(false_misses, other.false_misses);
   add(false_hits, other.false_hits);
   cycles += other.cycles;
-  ray_writes += other.ray_writes;
-  end_writes += other.end_writes;
   bit_level_tests += other.bit_level_tests;
   return *this;
-}
-
-void check_slots(int rays, int slots) {
-  if (rays > slots)
-    throw std::invalid_argument(
-        fmt::format("{} rays in flight: each needs a slot, and there are {} ray slots", rays, slots));
 }
 
 }  // namespace hitpipe::sim

@@ -17,9 +17,6 @@ struct UnitCounts {
   std::optional<std::uint64_t> false_misses;  ///< counted by the exact referee; nothing without it
   std::optional<std::uint64_t> false_hits;
   std::uint64_t cycles = 0;
-  /// Writes to the slots of a unit that has them: of whole rays, and of their ends only.
-  std::uint64_t ray_writes = 0;
-  std::uint64_t end_writes = 0;
   std::uint64_t bit_level_tests = 0;  ///< tests whose results were compared with the bit-level C++ datapath
 
   /// Zeros. The referee's counts are there only with a referee.
@@ -28,9 +25,6 @@ struct UnitCounts {
   UnitCounts& operator+=(const UnitCounts& other);
   friend bool operator==(const UnitCounts&, const UnitCounts&) = default;
 };
-
-/// Throws std::invalid_argument, one line, when rays in flight have not enough slots.
-void check_slots(int rays_in_flight, int slots);
 
 /// How much more than the reference, in percent. 0 when that is 0.
 [[nodiscard]] inline double percent_above(std::uint64_t value, std::uint64_t reference) {

@@ -18,7 +18,6 @@ class RayUnit::World {
     places_[place].job = job;
     places_[place].box_tests = 0;
     places_[place].walk.emplace(walk_.start(*unit_.rays_, place, job.ray, job.query));
-    unit_.station_.start(place);
   }
   [[nodiscard]] bool done(std::size_t place) const { return places_[place].walk->done(); }
   [[nodiscard]] bool idle() const { return unit_.station_.idle(); }
@@ -28,9 +27,7 @@ class RayUnit::World {
     return {walk.hit(), places_[place].box_tests, walk.counts().triangle_tests};
   }
 
-  void ask(std::size_t place) {
-    unit_.station_.ask(place, [&](std::size_t ray, std::int64_t* operands) { write(ray, operands); });
-  }
+  void ask(std::size_t place) { unit_.station_.ask(place); }
   template <class Answered>
   void cycle(const Answered& answered) {
     unit_.station_.cycle([&](std::size_t ray, std::int64_t* operands) { write(ray, operands); },

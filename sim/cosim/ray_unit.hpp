@@ -39,7 +39,7 @@ class RayUnit {
     const SceneFeed* feed;
     const ref::Bvh* bvh;
     const ref::Mesh* mesh;
-    int rays_in_flight;  ///< 1..Station::most_rays, and no more than there are ray slots
+    int rays_in_flight;  ///< 1..Station::most_rays
     bool referee;        ///< exact arithmetic judges every answer
   };
 

@@ -14,7 +14,6 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/cosim/counts.hpp"
-#include "sim/cosim/ray_writer.hpp"
 #include "sim/cosim/sampled_time.hpp"
 #include "sim/unit/verilated_design.hpp"
 
@@ -34,43 +33,28 @@ class Station {
   /// A prime, so that the tests compared bit by bit are not always of the same rays.
   static constexpr int bit_level_stride = 61;
 
-  /// A ray has the slot of its number when the unit has slots. Throws std::invalid_argument, one line, for a
-  /// number of rays that is not allowed.
+  /// Throws std::invalid_argument, one line, for a number of rays that is not allowed.
   Station(const VerilatedDesign& verilated, StationSoftware software, int rays);
 
   /// Throws std::invalid_argument, one line, for a number of rays that is not allowed.
   static void check(int rays);
 
-  /// Another ray has this number.
-  void start(std::size_t ray) {
-    if (writer_) writer_->start(ray);
-  }
-  /// The ray has a test; write(ray, operands) gives its operands.
-  template <class Write>
-  void ask(std::size_t ray, const Write& write) {
-    if (writer_) {
-      write(ray, operands_.data());
-      if (!writer_->holds(ray, operands_.data())) return;  // it is sent when its ray has been written
-    }
-    waiting_.push_back(ray);
-  }
-  [[nodiscard]] bool idle() const {
-    return waiting_.empty() && sent_.empty() && (!writer_ || writer_->idle());
-  }
+  /// The ray has a test.
+  void ask(std::size_t ray) { waiting_.push_back(ray); }
+  [[nodiscard]] bool idle() const { return waiting_.empty() && sent_.empty(); }
 
   /// One cycle. write(ray, operands) gives the operands of a test that is sent; answered(ray, results) takes an
   /// answer. Throws WrongHardware when the Verilog loses a test.
   template <class Write, class Answered>
   void cycle(const Write& write, const Answered& answered);
 
-  [[nodiscard]] UnitCounts counts() const;
+  [[nodiscard]] const UnitCounts& counts() const { return counts_; }
   /// Time for the cycles of the Verilog alone, estimated from samples (sim/cosim/sampled_time.hpp).
   [[nodiscard]] double rtl_seconds() const { return rtl_time_.seconds(); }
 
  private:
   Model model_;
   StationSoftware software_;
-  std::optional<RayWriter> writer_;  // of a unit with ray slots
   std::vector<std::int64_t> operands_, results_;
   std::deque<std::size_t> waiting_;
   std::deque<std::size_t> sent_;  // answers keep the order of the tests
@@ -93,7 +77,6 @@ void Station::cycle(const Write& write, const Answered& answered) {
     pins.in_valid = true;
     pins.in_tag = static_cast<std::uint16_t>(sender);
   }
-  if (writer_) writer_->drive(pins);
   rtl_time_.run([&] { model_.cycle(operands_.data(), pins); });
   ++counts_.cycles;
   if (sending && pins.in_ready) {
@@ -103,10 +86,7 @@ void Station::cycle(const Write& write, const Answered& answered) {
     waiting_.pop_front();
     sent_.push_back(sender);
   }
-  if (writer_) {
-    if (const std::optional<std::size_t> written = writer_->written()) waiting_.push_back(*written);
-  }
-  // A test is in the unit in every cycle, or a ray is written.
+  // A test is in the unit in every cycle.
   if (++silent_ > longest_silence_)
     throw WrongHardware(
         fmt::format("{}: no answer to a test within its latency", model_.design().unit().module()));

@@ -75,9 +75,9 @@ class StationsWith final : public Stations {
   [[nodiscard]] bool idle() const { return boxes_.idle() && triangles_.idle() && divider_.idle(); }
   void ask(std::size_t place) {
     if (walk(place).at_triangle())
-      triangles_.ask(place, write_triangle());
+      triangles_.ask(place);
     else
-      boxes_.ask(place, write_boxes());
+      boxes_.ask(place);
   }
   template <class Answered>
   void cycle(const Answered& answered) {

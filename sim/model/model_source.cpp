@@ -40,23 +40,9 @@ HITPIPE_ENTRY void hitpipe_destroy(void* model) {{ delete static_cast<Model*>(mo
                      module, includes);
 }
 
-MorePins ray_slot_pins(const rtl::RaySlots& slots, const std::vector<rtl::Port>& operands) {
-  return {
-      .drive = fmt::format(R"(  top.ray_valid = pins->rays != nullptr && pins->rays->valid;
-  if (pins->rays != nullptr) top.in_slot = pins->rays->in_slot;
-  if (top.ray_valid) {{
-    const std::int64_t* const ray = pins->rays->operands;
-    top.ray_slot = pins->rays->slot;
-{}{}{}  }}
-)",
-                           slots.end.empty() ? "" : "    top.ray_end_only = pins->rays->end_only;\n",
-                           drive_lines(slots.line, operands, "ray"), drive_lines(slots.end, operands, "ray")),
-      .read = "  if (pins->rays != nullptr) pins->rays->ready = top.ray_ready;\n"};
-}
-
 std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
                          const std::vector<rtl::Port>& ports, const std::vector<hls::Result>& results,
-                         rtl::FlowControl flow, int interval, const MorePins& more) {
+                         rtl::FlowControl flow, int interval) {
   const bool stalls = flow == rtl::FlowControl::stall;
   const rtl::Verdict verdict = rtl::verdict_of(results);
   std::string read;
@@ -79,23 +65,22 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
   top.rst = pins->rst;
   top.in_valid = pins->in_valid;
   top.in_tag = pins->in_tag;
-{6}  if (pins->in_valid) {{
+{4}  if (pins->in_valid) {{
 {1}  }}
-{4}  top.eval();
-  pins->in_ready = {7};
+  top.eval();
+  pins->in_ready = {5};
   pins->out_valid = top.out_valid;
-  pins->hit = {2}top.{8};
+  pins->hit = {2}top.{6};
   pins->out_tag = top.out_tag;
   if (pins->results != nullptr) {{
 {3}  }}
-{5}  top.clk = 1;
+  top.clk = 1;
   top.eval();
 }}
 )",
-                  module, drive_lines(ports, operands, "operands"), verdict.yes ? "" : "!", read, more.drive,
-                  more.read, stalls ? "  top.out_ready = pins->out_ready;\n" : "",
-                  stalls || interval > 1 || !more.read.empty() ? "top.in_ready" : "true",
-                  results[verdict.place].name);
+                  module, drive_lines(ports, operands, "operands"), verdict.yes ? "" : "!", read,
+                  stalls ? "  top.out_ready = pins->out_ready;\n" : "",
+                  stalls || interval > 1 ? "top.in_ready" : "true", results[verdict.place].name);
 }
 
 }  // namespace hitpipe::sim

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::sim {
@@ -14,23 +13,15 @@ namespace hitpipe::sim {
 /// for what follows.
 [[nodiscard]] std::string instance_source(const std::string& module, const std::string& includes = "");
 
-/// Lines before and after the outputs are settled, for pins that only some modules have.
-struct MorePins {
-  std::string drive{}, read{};
-};
-
 /// Lines that give each port its number from an array of all operands.
 [[nodiscard]] std::string drive_lines(const std::vector<rtl::Port>& ports,
                                       const std::vector<rtl::Port>& operands, const char* array);
-
-/// The write port of a unit behind ray slots. `operands` are the whole design's.
-[[nodiscard]] MorePins ray_slot_pins(const rtl::RaySlots& slots, const std::vector<rtl::Port>& operands);
 
 /// Each of the module's `ports` has an operand's name and takes its low `width` bits. `results` are the
 /// design's, each an output of the module.
 [[nodiscard]] std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
                                        const std::vector<rtl::Port>& ports,
                                        const std::vector<hls::Result>& results, rtl::FlowControl flow,
-                                       int interval = 1, const MorePins& more = {});
+                                       int interval = 1);
 
 }  // namespace hitpipe::sim

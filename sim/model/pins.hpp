@@ -6,16 +6,6 @@
 
 namespace hitpipe::sim {
 
-/// The write port of a unit behind ray slots, and the slot of the test.
-struct RayPins {
-  bool valid = false;
-  bool end_only = false;  ///< only where the ray ends changes
-  std::uint16_t slot = 0;
-  std::uint16_t in_slot = 0;
-  const std::int64_t* operands = nullptr;  ///< all, in port order; the ray's are written
-  bool ready = false;                      ///< seen before the rising edge
-};
-
 struct Pins {
   // Driven before the rising edge. A unit without flow control has no out_ready.
   bool rst = false;
@@ -28,7 +18,6 @@ struct Pins {
   bool hit = false;  ///< of the first box
   std::uint16_t out_tag = 0;
   std::int64_t* results = nullptr;  ///< where to write all results, in the design's order; nowhere when null
-  RayPins* rays = nullptr;          ///< of a unit behind ray slots; nothing is written when null
 };
 
 /// The entry points of the library.

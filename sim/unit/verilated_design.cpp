@@ -9,15 +9,9 @@ namespace hitpipe::sim {
 namespace {
 
 ModelSources sources_of(const rtl::Unit& unit, const std::vector<hls::Result>& results) {
-  const auto wrapper = [&](const std::string& module, const std::vector<rtl::Port>& ports,
-                           const MorePins& more) {
-    return model_source(module, unit.ports(), ports, results, unit.flow_control(), unit.interval(), more);
-  };
-  if (!unit.ray_slots)
-    return {unit.module(), unit.verilog, wrapper(unit.module(), rtl::input_ports(unit.pipeline->graph), {})};
-  const rtl::RaySlots& slots = *unit.ray_slots;
-  return {slots.module(), unit.verilog,
-          wrapper(slots.module(), slots.test, ray_slot_pins(slots, unit.ports()))};
+  return {unit.module(), unit.verilog,
+          model_source(unit.module(), unit.ports(), rtl::input_ports(unit.pipeline->graph), results,
+                       unit.flow_control(), unit.interval())};
 }
 
 }  // namespace
@@ -33,7 +27,7 @@ struct VerilatedDesign::Loaded {
 
 VerilatedDesign::VerilatedDesign(rtl::Unit unit, const std::filesystem::path& cache)
     : results_(unit.design->results(unit.format)),
-      latency_(unit.ray_slots ? unit.ray_slots->latency(unit.pipeline->latency()) : unit.pipeline->latency()),
+      latency_(unit.pipeline->latency()),
       operand_count_(unit.ports().size()) {
   loaded_ = std::make_shared<Loaded>(std::move(unit), results_, cache);
 }

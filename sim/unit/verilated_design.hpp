@@ -14,12 +14,10 @@ namespace hitpipe::sim {
 
 class VerilatedDesign {
  public:
-  /// The model takes the operands of the whole design. A unit with ray slots is driven through its slots.
-  /// Throws as ModelLibrary does.
+  /// The model takes the operands of the whole design. Throws as ModelLibrary does.
   explicit VerilatedDesign(rtl::Unit unit, const std::filesystem::path& cache = default_cache());
 
   [[nodiscard]] const rtl::Unit& unit() const;
-  /// Of the unit, with its ray slots if it has them.
   [[nodiscard]] int latency() const { return latency_; }
   [[nodiscard]] std::size_t operand_count() const { return operand_count_; }
   /// As the design states them; Pins::results has room for these.

@@ -13,14 +13,12 @@
 #include "host/files.hpp"
 #include "host/text.hpp"
 #include "rtl_gen/emit/files.hpp"
-#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/prune/prune.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/formal/combinational.hpp"
 #include "tests/formal/fifo.hpp"
 #include "tests/formal/fitted_set.hpp"
 #include "tests/formal/properties.hpp"
-#include "tests/formal/slots.hpp"
 
 namespace {
 
@@ -62,11 +60,6 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& give
       {"results", results}};
   if (stalls) {
     files.push_back({"stalled.v", formal::stalled_design(pipeline, name)});
-    const std::vector<rtl::Port> ports = design.ports(bits);
-    const std::vector<rtl::SentWith> sent = rtl::sent_with(ports);
-    // Operands that say nothing of a ray leave no ray to a slot.
-    if (std::count(sent.begin(), sent.end(), rtl::SentWith::line) > 0)
-      files.push_back({"slots.v", formal::slots_proof(name, ports)});
   } else {
     files.push_back({"fifo.v", formal::fifo_proof(name, design.ports(bits), pipeline.latency(), interval)});
   }

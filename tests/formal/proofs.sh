@@ -166,22 +166,6 @@ END
     covers control $(($(cat latency) + 4)) "${symbolic[@]}"
 }
 
-# A memory of rays before the unit, whose stand-in shows what it is given.
-prove_slots() {
-  to_smt2 slots <<END || return
-read_verilog -formal slots.v
-hierarchy -check -top $1_slots
-proc
-flatten
-memory -nordff
-opt_clean
-check -assert
-write_smt2 -wires slots.raw.smt2
-END
-  yosys-smtbmc --noprogress -s z3 "${symbolic[@]}" -i -t 2 slots.smt2 >>slots.log 2>&1 &&
-    yosys-smtbmc --noprogress -s z3 "${symbolic[@]}" -t 2 slots.smt2 >>slots.log 2>&1 && covers slots 4 "${symbolic[@]}"
-}
-
 # The result FIFO around a stand-in for a unit without flow control. It has no symbols.
 prove_fifo() {
   to_smt2 fifo <<END || return

@@ -50,8 +50,6 @@ all_of() {
   row "$1: stands still when it must" "$2" proved prove_hold "$1"
   row "$1: valid, ready, tags" "$2" proved prove_control "$1"
   row "$1: HIT and tag of its operands" "$2" proved prove_flow "$1"
-  # A design whose operands say nothing of a ray has no ray slots.
-  [[ ! -f slots.v ]] || row "$1: ray slots give it the ray" "$2" proved prove_slots "$1"
   components_of "$1" "$2"
 }
 
@@ -76,7 +74,7 @@ all_without_flow_control() {
 }
 
 # all_every N DESIGN FORMAT: the same proofs for the design that takes a test every N cycles, with and without flow
-# control. Ray slots are proved before a unit that is ready when it likes.
+# control.
 all_every() {
   local interval=$1 flow
   shift
@@ -167,9 +165,6 @@ damage int_slabs 20/24 'valid bits ignore theirs' 's/else if (advance) valid/els
 damage int_slabs 20/24 'a tag overtakes' 's/tag_s2 <= tag_s1/tag_s2 <= tag_s0/' prove_control int_slabs
 damage int_slabs 20/24 'a product of other pieces' 's/ + piece_1_s1/ - piece_1_s1/' \
   prove_component int_slabs int_slabs_mul_20x20s_to_38_15
-file=slots.v damage int_slabs 20/24 'a test beside a write to its slot' 's/ & ~(written & (ray_slot == in_slot))//' prove_slots int_slabs
-file=slots.v damage int_slabs 20/24 'a stalled test reads again' 's/if (read) line_read/line_read/' prove_slots int_slabs
-file=slots.v damage int_slabs 20/24 'an end is written with the line' 's/written & ~ray_end_only/written/' prove_slots int_slabs
 flow=none damage int_slabs 20/24 'without flow control, a register less' 's/irlen_s2 <= irlen_s1/irlen_s2 <= irlen_s0/' prove_flow
 flow=none damage int_slabs 20/24 'a valid bit too early' 's/{valid\[3:0\], in_valid}/{valid[3:1], in_valid, in_valid}/' prove_control int_slabs
 flow=none file=fifo.v damage int_slabs 20/24 'a credit too many' "s/used != 3'd6/used != 3'd7/" prove_fifo int_slabs

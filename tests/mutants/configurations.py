@@ -13,7 +13,7 @@ CORES = [("core, default", ""), ("core, 64 data bits", "--data-bits 64")]
 UNITS = [
     ("int_slabs", "--axi-stream"),
     ("int_slabs", "--ii 3"),
-    ("int_major_pair", "--ray-slots 4"),
+    ("int_major_pair", ""),
     ("int_major_pair", "--ii 3"),
     ("int_triangle", ""),
     ("int_triangle", "--ii 3"),

@@ -173,32 +173,6 @@ TEST(CosimCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   EXPECT_THAT(lines[1], StartsWith("int_slabs,n20/24,spheres,24578,0,"));
 }
 
-/// The unit behind ray slots answers the same, and is sent less.
-TEST(CosimCommand, RaySlotsAreTheUnitWithFewerBits) {
-  const sim::TemporaryFolder folder;
-  const Outcome outcome = run_hitpipe(cosim({"--ray-slots", "20", "--rays-in-flight", "24", "--out",
-                                             folder.path().string(), "--referee", "--format", "json"}));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json slots = json::parse(outcome.out);
-  const json bare = json::parse(run_hitpipe(cosim({"--referee", "--format", "json"})).out);
-  for (const char* const same :
-       {"box_tests", "hits", "rtl_mismatches", "false_misses", "false_hits", "rays_shadow"})
-    EXPECT_EQ(slots.at(same), bare.at(same)) << same;
-  EXPECT_EQ(slots.at("latency"), bare.at("latency").get<int>() + 1);
-  EXPECT_EQ(slots.at("ray_slots"), 32);
-  const int rays = slots.at("rays_primary").get<int>() + slots.at("rays_secondary").get<int>() +
-                   slots.at("rays_shadow").get<int>() - slots.at("rays_rejected").get<int>();
-  EXPECT_EQ(slots.at("ray_writes"), rays);
-  EXPECT_GT(slots.at("ray_end_writes"), 0);
-  // 15 words of 20 bits, the length and its flag. A test has six of the words and a slot.
-  EXPECT_EQ(slots.at("bits_per_box_test_without_slots"), 325.0);
-  EXPECT_GT(slots.at("bits_per_box_test"), 125.0);
-  EXPECT_LT(slots.at("bits_per_box_test"), 325.0);
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "int_slabs_slots.v"));
-  EXPECT_THAT(contents_of(folder.path() / "int_slabs.v"), testing::Not(HasSubstr("module int_slabs_slots")));
-  EXPECT_FALSE(bare.contains("ray_slots"));
-}
-
 TEST(CosimCommand, FlowControlIsTheUnitsOwn) {
   const sim::TemporaryFolder folder;
   const std::string out = (folder.path() / "unit").string();
@@ -206,9 +180,6 @@ TEST(CosimCommand, FlowControlIsTheUnitsOwn) {
   const Outcome read = run_hitpipe(cosim({"--unit", out, "--format", "json"}));
   EXPECT_EQ(read.exit_code, 0) << read.err;
   EXPECT_EQ(json::parse(read.out).at("rtl_mismatches"), 0);
-  const Outcome slots = run_hitpipe(cosim({"--unit", out, "--ray-slots", "32", "--format", "json"}));
-  EXPECT_EQ(slots.exit_code, 0) << slots.err;
-  EXPECT_EQ(json::parse(slots.out).at("hits"), json::parse(read.out).at("hits"));
 }
 
 TEST(CosimCommand, WritesImageVerilogAndSchematicWhereTold) {

@@ -99,19 +99,6 @@ TEST_F(RtlCommand, AWrapperIsAroundAUnitWithoutFlowControlUnlessToldOtherwise) {
   }
 }
 
-TEST_F(RtlCommand, WritesTheRaySlotsOnlyWhenAsked) {
-  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--ray-slots", "33", "--out", out_.string()});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  std::vector<std::string> expected = all_files;
-  expected.insert(std::find(expected.begin(), expected.end(), "int_slabs_stage_1.dot"), "int_slabs_slots.v");
-  expected.insert(std::find(expected.begin(), expected.end(), "tb/int_slabs_tb.sv"),
-                  "tb/int_slabs_slots_tb.sv");
-  EXPECT_EQ(files_below(out_), expected);
-  EXPECT_THAT(outcome.out, HasSubstr((out_ / "int_slabs_slots.v").string() + "\n"));
-  EXPECT_THAT(contents_of(out_ / "int_slabs_slots.v"), HasSubstr("behind a memory of 64 rays"));
-  EXPECT_EQ(nlohmann::json::parse(contents_of(out_ / "int_slabs.json")).at("ray_slots").at("slots"), 64);
-}
-
 TEST_F(RtlCommand, WritesTheTopFunctionOnlyWhenAsked) {
   const Outcome outcome =
       run_hitpipe({"rtl", "int_slabs", "--bits", "20/24", "--hls", "--out", out_.string()});

@@ -11,7 +11,6 @@
 #include "rtl_gen/core/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/emit/machine_files.hpp"
-#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/verilog_names.hpp"
@@ -100,21 +99,13 @@ TEST(EmittedNames, OfWrappersAndTestbenches) {
   std::size_t files = 0;
   for (const DesignFormat& d : small_designs()) {
     const Graph graph = d.found().trace(d.parsed());
-    const std::vector<SentWith> sent = sent_with(d.found().ports(d.parsed()));
-    const bool has_rays = std::count(sent.begin(), sent.end(), SentWith::line) > 0;
     for (const int interval : {1, 3}) {
       const Pipeline pipeline = make_pipeline(graph, Library::thesis(), {}, interval);
-      for (const FlowControl flow : {FlowControl::stall, FlowControl::none}) {
-        for (const bool slots : {false, true}) {
-          if (slots && !has_rays) continue;
-          EmitOptions options{.axi_stream = true, .fifo = flow == FlowControl::none};
-          if (slots) options.ray_slots = 8;
-          files += expect_good_names(
-              emit(make_unit(d.found(), d.parsed(), Library::thesis(), pipeline, {.flow_control = flow}),
-                   options)
-                  .files());
-        }
-      }
+      for (const FlowControl flow : {FlowControl::stall, FlowControl::none})
+        files += expect_good_names(
+            emit(make_unit(d.found(), d.parsed(), Library::thesis(), pipeline, {.flow_control = flow}),
+                 {.axi_stream = true, .fifo = flow == FlowControl::none})
+                .files());
     }
     const Pipeline pipeline = d.pipeline();
     const ModuleInterface unit = d.interface();

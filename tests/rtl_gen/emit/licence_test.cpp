@@ -33,7 +33,7 @@ void expect_licence(const std::vector<host::File>& files) {
 
 TEST(WithLicence, IsInEveryFileOfAUnitWithItsWrappers) {
   const EmittedDesign unit = DesignFormat{"int_slabs", "8/8"}.emitted(
-      {.axi_stream = true, .fifo = true, .ray_slots = 4, .hls = true}, {.flow_control = FlowControl::none});
+      {.axi_stream = true, .fifo = true, .hls = true}, {.flow_control = FlowControl::none});
   expect_licence(unit.files());
 }
 

@@ -19,7 +19,6 @@ TEST(TagBits, OfZeroAreAcceptedByEveryTool) {
   };
   write({.module = "unit"}, {.axi_stream = true});
   write({.module = "still", .flow_control = FlowControl::none}, {.fifo = true});
-  write({.module = "kept"}, {.ray_slots = 8});
   const auto accepted = [&](const std::string& top, const std::string& files) {
     const auto silent = [&](const std::string& program, const std::string& arguments) {
       const ToolResult result = run_tool(folder.path(), program, program, arguments);
@@ -32,7 +31,6 @@ TEST(TagBits, OfZeroAreAcceptedByEveryTool) {
   accepted("unit", "unit.v");
   accepted("unit_axis", "unit_axis.v unit.v");
   accepted("still_fifo", "still_fifo.v still.v");
-  accepted("kept_slots", "kept_slots.v kept.v");
 }
 
 }  // namespace

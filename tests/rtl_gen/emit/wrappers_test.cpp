@@ -1,14 +1,12 @@
-// Wrappers around wrappers: a memory of rays before the unit, a FIFO behind it, AXI4-Stream around both. Each
-// has a testbench of its own, tools take them, and damage is found.
-#include <algorithm>
-
+// Wrappers around wrappers: a FIFO behind the unit, AXI4-Stream around it. Each has a testbench of its own, tools take
+// them, and damage is found.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "host/files.hpp"
-#include "rtl_gen/emit/ray_slots.hpp"
+#include "rtl_gen/emit/files.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/text.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -21,7 +19,6 @@ using testing::ElementsAre;
 struct Choice {
   FlowControl flow = FlowControl::stall;
   bool fifo = false;
-  bool slots = true;
   bool axi_stream = false;
   int interval = 1;
   bool few = true;  ///< vectors
@@ -29,11 +26,9 @@ struct Choice {
 
 EmittedDesign emitted(const DesignFormat& d, const Choice& choice) {
   const VectorSet vectors = few_vectors(d);
-  return emit(d.unit({.module = "unit", .flow_control = choice.flow, .interval = choice.interval}),
-              {.axi_stream = choice.axi_stream,
-               .fifo = choice.fifo,
-               .ray_slots = choice.slots ? std::optional(RaySlots::fewest) : std::nullopt,
-               .vectors = choice.few ? &vectors : nullptr});
+  return emit(
+      d.unit({.module = "unit", .flow_control = choice.flow, .interval = choice.interval}),
+      {.axi_stream = choice.axi_stream, .fifo = choice.fifo, .vectors = choice.few ? &vectors : nullptr});
 }
 
 /// The modules that the user may instantiate, from the outermost on.
@@ -56,17 +51,10 @@ std::string replayed(const std::filesystem::path& folder, const std::string& mod
 
 class Wrapped : public testing::TestWithParam<DesignFormat> {};
 
-/// One that knows where no ray lies has no slots.
-bool has_slots(const Design& design, const Format& format) {
-  const std::vector<SentWith> parts = sent_with(design.ports(format));
-  return std::count(parts.begin(), parts.end(), SentWith::line) > 0;
-}
-
 TEST_P(Wrapped, EveryModulePassesItsTestbench) {
-  const bool slots = has_slots(GetParam().found(), GetParam().parsed());
-  for (const Choice& choice : {Choice{.flow = FlowControl::none, .slots = slots, .axi_stream = true},
-                               Choice{.flow = FlowControl::none, .slots = slots, .interval = 3},
-                               Choice{.slots = slots, .axi_stream = true, .interval = 2}}) {
+  for (const Choice& choice : {Choice{.flow = FlowControl::none, .axi_stream = true},
+                               Choice{.flow = FlowControl::none, .fifo = true, .interval = 3},
+                               Choice{.axi_stream = true, .interval = 2}}) {
     // Wrappers of a design that has one large format are those of all others.
     if (GetParam().parsed().family().single && choice.interval > 1) continue;
     const EmittedDesign unit = emitted(GetParam(), choice);
@@ -83,30 +71,14 @@ INSTANTIATE_TEST_SUITE_P(Designs, Wrapped, testing::ValuesIn(every_small_design(
 
 TEST(Wrappers, StandAroundOneAnother) {
   const DesignFormat slabs{"int_slabs", "6/6"};
-  EXPECT_THAT(modules_of(emitted(slabs, {.flow = FlowControl::none, .axi_stream = true})),
-              ElementsAre("unit_axis", "unit_slots", "unit_fifo", "unit"));
-  EXPECT_THAT(modules_of(emitted(slabs, {.axi_stream = true})),
-              ElementsAre("unit_axis", "unit_slots", "unit"));
+  EXPECT_THAT(modules_of(emitted(slabs, {.axi_stream = true})), ElementsAre("unit_axis", "unit"));
   EXPECT_THAT(modules_of(emitted(slabs, {.flow = FlowControl::none, .fifo = true})),
-              ElementsAre("unit_slots", "unit_fifo", "unit"));
+              ElementsAre("unit_fifo", "unit"));
   const EmittedDesign all = emitted(slabs, {.flow = FlowControl::none, .axi_stream = true});
-  EXPECT_THAT(all.ray_slots->contents, testing::HasSubstr("  unit_fifo #(.TAG_BITS(TAG_BITS)) unit_i ("));
-  EXPECT_THAT(all.axi_stream->contents, testing::HasSubstr("  unit_slots #(.TAG_BITS(TAG_BITS)) design_i ("));
+  EXPECT_THAT(modules_of(all), ElementsAre("unit_axis", "unit_fifo", "unit"));
+  EXPECT_THAT(all.axi_stream->contents, testing::HasSubstr("  unit_fifo #(.TAG_BITS(TAG_BITS)) design_i ("));
   EXPECT_THAT(all.core.contents,
-              testing::HasSubstr("filesets: [rtl, slots, fifo, axis, tb]\n    toplevel: unit_axis_tb"));
-  const Json& stream = all.manifest->at("axi_stream");
-  EXPECT_EQ(stream.at("s_axis_ray").at("fields").at(0).at("name"), "ray_end_only");
-  EXPECT_EQ(stream.at("s_axis").at("fields").at(0).at("name"), "in_slot");
-}
-
-/// A test stands before a unit without flow control until its turn, so its latency is fixed.
-TEST(Wrappers, LatencyWithoutFlowControlIsFixed) {
-  for (const int interval : {1, 2, 5}) {
-    const EmittedDesign unit =
-        emitted({"int_slabs", "6/6"}, {.flow = FlowControl::none, .interval = interval});
-    EXPECT_EQ(unit.manifest->at("ray_slots").at("latency"),
-              unit.manifest->at("latency").get<int>() + interval);
-  }
+              testing::HasSubstr("filesets: [rtl, fifo, axis, tb]\n    toplevel: unit_axis_tb"));
 }
 
 struct Damage {
@@ -132,44 +104,38 @@ TEST_P(DamagedWrapper, FailsItsTestbench) {
 
 INSTANTIATE_TEST_SUITE_P(
     Wrappers, DamagedWrapper,
-    testing::Values(Damage{"unit_axis.v", "s_axis_ray_tvalid & ~held_valid", "s_axis_ray_tvalid"},
-                    Damage{"unit_axis.v", "held_valid <= in_valid & ~in_ready", "held_valid <= 1'b0"},
-                    Damage{"unit_axis.v", "held_valid ? held_tag : s_axis_tid", "s_axis_tid"},
-                    Damage{"unit_axis.v", "held_valid ? held : s_axis_tdata", "s_axis_tdata"},
-                    Damage{"unit_axis.v", "spare_valid | out_valid", "out_valid"},
-                    Damage{"unit_slots.v", "~(written & (ray_slot == in_slot))", "1'b1"},
-                    Damage{"unit_slots.v", "written & ~ray_end_only", "written & ray_end_only"},
-                    Damage{"unit_slots.v", "(unit_ready | ~read_valid) &", "1'b1 &"}));
+    testing::Values(Damage{"unit_axis.v", "spare_valid | out_valid", "out_valid"},
+                    Damage{"unit_axis.v", "spare_valid ? spare_hit : out_hit", "out_hit"},
+                    Damage{"unit_axis.v", "spare_valid ? spare_tag : out_tag", "out_tag"},
+                    Damage{"unit_axis.v", "if (~spare_valid)", "if (1'b1)"}));
 
 /// No input reaches an output in the same cycle.
 TEST(Wrappers, StreamHasARegisterOnEveryPath) {
   constexpr const char* bench = R"(module bench;
-  reg clk = 0, rst_n = 0, s_valid = 0, r_valid = 0, m_ready = 0;
+  reg clk = 0, rst_n = 0, s_valid = 0, m_ready = 0;
   reg [S:0] s_data = 0;
-  reg [R:0] r_data = 0;
-  wire s_ready, r_ready, m_valid;
+  wire s_ready, m_valid;
   wire [7:0] m_data;
   wire [3:0] m_tid;
   unit_axis #(.TAG_BITS(4)) dut (
-    .aclk(clk), .aresetn(rst_n), .s_axis_ray_tvalid(r_valid), .s_axis_ray_tready(r_ready), .s_axis_ray_tdata(r_data),
+    .aclk(clk), .aresetn(rst_n),
     .s_axis_tvalid(s_valid), .s_axis_tready(s_ready), .s_axis_tdata(s_data), .s_axis_tid(s_data[3:0]),
     .m_axis_tvalid(m_valid), .m_axis_tready(m_ready), .m_axis_tdata(m_data), .m_axis_tid(m_tid));
   integer i, j, seed = 1, busy = 0;
-  reg [14:0] before;
+  reg [13:0] before;
   initial begin
     repeat (4) begin #5 clk = 1; #5 clk = 0; end
     rst_n = 1;
     for (i = 0; i < 3000; i = i + 1) begin
       for (j = 0; j < 4; j = j + 1) begin
-        {s_valid, r_valid, m_ready} = $random(seed);
+        {s_valid, m_ready} = $random(seed);
         s_data = {8{$random(seed)}} & {S+1{1'b1}};
-        r_data = {8{$random(seed)}};
         #1;
-        if (j != 0 && before !== {s_ready, r_ready, m_valid, m_valid ? {m_data, m_tid} : 12'd0}) begin
+        if (j != 0 && before !== {s_ready, m_valid, m_valid ? {m_data, m_tid} : 12'd0}) begin
           $display("FAIL cycle %0d", i);
           $finish;
         end
-        before = {s_ready, r_ready, m_valid, m_valid ? {m_data, m_tid} : 12'd0};
+        before = {s_ready, m_valid, m_valid ? {m_data, m_tid} : 12'd0};
       end
       if (!s_ready) busy = busy + 1;
       #5 clk = 1; #5 clk = 0;
@@ -189,8 +155,7 @@ endmodule
     };
     std::string text = bench;
     for (const auto& [name, bits] : {std::pair{"[S:0]", "[" + high("s_axis") + ":0]"},
-                                     {"{S+1{1'b1}}", "{" + high("s_axis") + "+1{1'b1}}"},
-                                     {"[R:0]", "[" + high("s_axis_ray") + ":0]"}})
+                                     {"{S+1{1'b1}}", "{" + high("s_axis") + "+1{1'b1}}"}})
       text = replaced(text, name, bits);
     write_text(folder / "bench.v", text);
     const std::string said =

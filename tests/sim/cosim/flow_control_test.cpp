@@ -89,21 +89,6 @@ TEST(WithoutFlowControl, TracesASceneAsTheUnitThatStalls) {
   EXPECT_GT(wrong.unit.rtl_mismatches, 0U);
 }
 
-/// A test waits for a write to its slot, and nothing else waits.
-TEST(WithoutFlowControl, RaySlotsAnswerAsTheBareUnit) {
-  const ref::Scene scene = hills();
-  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const CosimOptions options{.width = 20, .height = 15, .threads = 1, .referee = true};
-  const CosimResult bare = cosimulate(VerilatedDesign(whole()), scene, bvh, options);
-  const CosimResult slots =
-      cosimulate(VerilatedDesign(rtl::behind_ray_slots(whole(), 32)), scene, bvh, options);
-  EXPECT_EQ(slots.unit.hits, bare.unit.hits);
-  EXPECT_EQ(slots.triangles, bare.triangles);
-  EXPECT_EQ(slots.unit.rtl_mismatches, 0U);
-  EXPECT_EQ(slots.latency, bare.latency + 1);
-  EXPECT_GT(slots.unit.ray_writes, 0U);
-}
-
 /// The unit behind its result FIFO has the pins of a unit that stalls.
 TEST(ResultFifo, LosesNothingWhateverTheConsumerDoes) {
   rtl::Unit behind_fifo = whole();

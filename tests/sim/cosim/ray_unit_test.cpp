@@ -229,9 +229,9 @@ INSTANTIATE_TEST_SUITE_P(Units, RayUnitOnHills, testing::ValuesIn(conservative_u
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 TEST(UnitCountsSum, AddsEveryField) {
-  UnitCounts sum{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
-  sum += {10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110};
-  EXPECT_EQ(sum, (UnitCounts{11, 22, 33, 44, 55, 66, 77, 88, 99, 110, 121}));
+  UnitCounts sum{1, 2, 3, 4, 5, 6, 7, 8, 9};
+  sum += {10, 20, 30, 40, 50, 60, 70, 80, 90};
+  EXPECT_EQ(sum, (UnitCounts{11, 22, 33, 44, 55, 66, 77, 88, 99}));
 }
 
 /// If one side did not count, the sum has no count.
