@@ -9,6 +9,7 @@
 #include "rays/trace/int_tracer.hpp"
 #include "rays/trace/tracer.hpp"
 #include "rays/world/int_scene.hpp"
+#include "rays/world/int_triangle.hpp"
 #include "sw_ref/render/int_surfaces.hpp"
 #include "sw_ref/render/render.hpp"
 

@@ -52,10 +52,10 @@ int parse(std::vector<std::string> words) {
   return exit_code;
 }
 
-void hitpipe::parse_format(const std::string& word) {
+void check_formats(const std::string& word) {
   for (const rtl::Design& design : rtl::designs()) {
     try {
-      const hitpipe::Format format = design.parse_format(word);
+      const Format format = design.parse_format(word);
       expect(format.valid(), "formats are valid");
       expect(design.parse_format(to_string(format)) == format, "formats are printed as they are read");
     } catch (const std::runtime_error& error) {
@@ -69,6 +69,6 @@ void hitpipe::parse_format(const std::string& word) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::vector<std::string> words = words_of({reinterpret_cast<const char*>(data), size});
   static_cast<void>(parse(words));
-  for (const std::string& word : words) hitpipe::parse_format(word);
+  for (const std::string& word : words) check_formats(word);
   return 0;
 }

@@ -12,6 +12,7 @@
 
 #include "rays/exact/float_crossing.hpp"
 #include "rays/image/core_image.hpp"
+#include "rays/world/int_ray.hpp"
 #include "rays/world/int_scene.hpp"
 #include "tests/library/scenes.hpp"
 #include "tests/message_of.hpp"

@@ -29,8 +29,8 @@ headers = {f for f in tree if not f.endswith(".cpp")}
 
 
 def flags(entry):
-    """Without optimisation, which changes no include, but which a precompiled header and its sources must share."""
-    words = [word for word in shlex.split(entry["command"]) if not word.startswith("-O")]
+    """Without what changes no include, but which a precompiled header and its sources must share."""
+    words = [word for word in shlex.split(entry["command"]) if not word.startswith(("-O", "-fPI"))]
     return words[:words.index("-o")] + ["-Werror", f"-I{root}"]
 
 

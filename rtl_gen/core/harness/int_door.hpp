@@ -4,5 +4,8 @@
 #include "episode.hpp"
 
 struct IntDoor : Episode {
-  static void spoil(core_ray& ray) { ray.error = 1; }
+  template <class Ray>
+  static void spoil(Ray& ray) {
+    ray.error = 1;
+  }
 };

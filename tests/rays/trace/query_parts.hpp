@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "rays/trace/fast_tracer.hpp"
 #include "rays/trace/ray_queries.hpp"
 #include "tests/rays/exact/rational.hpp"
 #include "tests/rays/trace/tracer_scenes.hpp"

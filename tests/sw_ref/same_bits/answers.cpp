@@ -10,6 +10,7 @@
 
 #include "host/parallel.hpp"
 #include "rays/trace/ray_queries.hpp"
+#include "rays/world/int_mesh.hpp"
 
 namespace {
 
