@@ -53,8 +53,7 @@ CheckFindings check_box_unit(const rtl::Design& design, const Format& format, co
                             .threads = check.threads,
                             .rtl = verilated ? &*verilated : nullptr,
                             .progress = [&](double share) { progress->show((finished + share) / runs); }};
-  CheckFindings found{
-      .design = std::string(design.name), .format = format, .seed = check.seed, .rtl = check.rtl};
+  CheckFindings found{{std::string(design.name), format, check.seed, check.rtl}};
   found.categories = sim::check([&] { return sim::make_box_test(design, format); }, options);
   if (compares) {
     finished = 1;

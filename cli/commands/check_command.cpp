@@ -73,13 +73,9 @@ int judge(const CheckCommand& command, const CLI::App& parsed) {
   const auto find = [&](host::Piece piece) {
     return check_box_unit(design, command.choice.format(), box_check(command, piece, true));
   };
-  return do_work(
-      work,
-      [&](host::Piece piece) { return triangles ? to_row(find_triangles(piece)) : to_row(find(piece)); },
-      [&] {
-        return triangles ? report_findings(find_triangles({}), command.format)
-                         : report_findings(find({}), command.format);
-      });
+  if (triangles)
+    return do_work(work, find_triangles, [&] { return report_findings(find_triangles({}), command.format); });
+  return do_work(work, find, [&] { return report_findings(find({}), command.format); });
 }
 
 /// Several designs and formats in one table.
@@ -88,11 +84,9 @@ int judge_units(const CheckCommand& command, const DesignsChoice& choice, const 
   const auto find = [&](host::Piece piece) {
     return check_box_units(units, box_check(command, piece, false));
   };
-  return do_work(
-      {parsed, command.pieces, command.out, batches_of_each(units, box_check(command, {}, false)),
-       "batches of tests"},
-      [&](host::Piece piece) { return to_row(find(piece)); },
-      [&] { return report_findings(find({}), command.format); });
+  return do_work({parsed, command.pieces, command.out, batches_of_each(units, box_check(command, {}, false)),
+                  "batches of tests"},
+                 find, [&] { return report_findings(find({}), command.format); });
 }
 
 /// What draws into the folder, if there is one to draw into. Throws if it is not installed.
@@ -104,40 +98,37 @@ std::vector<std::string> drawer_of(const CheckCommand& command) {
 int judge_stiff(const CheckCommand& command, const StiffCheck& stiff, const CLI::App& parsed) {
   const std::vector<MeasuredDesign> designs = stiff_designs(stiff);
   const std::vector<std::string> drawer = drawer_of(command);
-  return do_work(
-      {parsed, command.pieces, command.out, stiff_formats(designs), "formats"},
-      [&](host::Piece piece) { return to_row(check_stiff_rays(stiff, designs, piece)); },
-      [&] {
-        return report_findings(
-            check_stiff_rays(stiff, designs, {}),
-            {command.out, command.plot_width_mm, drawer, command.format, notes_of(parsed)});
-      });
+  const auto find = [&](host::Piece piece) { return check_stiff_rays(stiff, designs, piece); };
+  return do_work({parsed, command.pieces, command.out, stiff_formats(designs), "formats"}, find, [&] {
+    return report_findings(find({}),
+                           {command.out, command.plot_width_mm, drawer, command.format, notes_of(parsed)});
+  });
 }
 
 /// Of all pieces, in order.
-template <class Parse>
-auto sum_of(const std::vector<PieceFile>& pieces, Parse parse) {
-  auto sum = result_of(pieces.front(), parse);
+template <class Findings>
+Findings sum_of(const std::vector<PieceFile>& pieces) {
+  const auto parse = [](const Row& row) { return row.get<Findings>(); };
+  Findings sum = result_of(pieces.front(), parse);
   for (std::size_t i = 1; i < pieces.size(); ++i) sum += result_of(pieces[i], parse);
   return sum;
 }
 
 int join(const CheckCommand& command, const CLI::App& parsed) {
   const std::vector<PieceFile> pieces = joined_pieces(parsed, command.pieces);
-  if (pieces.front().result.contains("designs")) {
+  if (pieces.front().result.contains("formats")) {
     Row notes = notes_of(parsed);
     notes["command"] = joined_command(pieces.front().note.command, command.out);
-    return report_findings(sum_of(pieces, parse_stiff_findings),
+    return report_findings(sum_of<StiffFindings>(pieces),
                            {command.out, command.plot_width_mm, drawer_of(command), command.format, notes});
   }
   if (!command.out.empty()) throw std::runtime_error("--out: only stiff rays have files");
   if (pieces.front().result.contains("units"))
-    return report_findings(sum_of(pieces, parse_units_findings), command.format);
+    return report_findings(sum_of<UnitsFindings>(pieces), command.format);
   const auto name = [](const Row& row) { return row.at("design").get<std::string>(); };
   const rtl::Design& design = rtl::find_design(result_of(pieces.front(), name));
-  return design.kind == hls::triangle_kind
-             ? report_findings(sum_of(pieces, parse_triangle_findings), command.format)
-             : report_findings(sum_of(pieces, parse_findings), command.format);
+  return design.kind == hls::triangle_kind ? report_findings(sum_of<TriangleFindings>(pieces), command.format)
+                                           : report_findings(sum_of<CheckFindings>(pieces), command.format);
 }
 
 int replay(const CheckCommand& command) {

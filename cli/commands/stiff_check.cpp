@@ -9,6 +9,7 @@
 
 #include "cli/report/python.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/kept.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/scene_text.hpp"
 #include "host/files.hpp"
@@ -16,6 +17,31 @@
 #include "sim/software/software.hpp"
 
 namespace hitpipe::cli {
+
+template <>
+struct Kept<sim::StiffBoxes> {
+  static void each(auto& boxes, const auto& member) {
+    member("log2_ratio", boxes.stiffness);
+    member("half_side", boxes.half_side);
+    member("aimed", boxes.aimed);
+    member("tests", boxes.tests);
+    member("exact_hits", boxes.hits);
+    member("false_hits", boxes.false_hits);
+    member("false_misses", boxes.false_misses);
+  }
+};
+
+template <>
+struct Kept<sim::StiffTraversals> {
+  static void each(auto& traversals, const auto& member) {
+    member("log2_ratio", traversals.stiffness);
+    member("rays", traversals.rays);
+    member("box_tests", traversals.box_tests);
+    member("reference_box_tests", traversals.reference_box_tests);
+    member("different_triangles", traversals.different_triangles);
+    member("work_sums", traversals.work);
+  }
+};
 
 namespace {
 
@@ -68,71 +94,16 @@ void keep(std::vector<MeasuredDesign>& designs, host::Piece::Range mine) {
   std::erase_if(designs, [](const MeasuredDesign& design) { return design.formats.empty(); });
 }
 
-Row kept(const sim::Stiffness& stiffness) {
-  return stiffness ? Row(*stiffness) : Row(nullptr);
-}
-
-sim::Stiffness stiffness_of(const Row& row) {
-  const Row& ratio = row.at("log2_ratio");
-  return ratio.is_null() ? std::nullopt : sim::Stiffness(ratio.get<int>());
-}
-
-Row to_row(const Measured& measured) {
-  Row boxes = Row::array();
-  for (const sim::StiffBoxes& each : measured.boxes)
-    boxes.push_back({{"log2_ratio", kept(each.stiffness)},
-                     {"half_side", each.half_side},
-                     {"aimed", each.aimed},
-                     {"tests", each.tests},
-                     {"exact_hits", each.hits},
-                     {"false_hits", each.false_hits},
-                     {"false_misses", each.false_misses}});
-  Row traversals = Row::array();
-  for (const sim::StiffTraversals& each : measured.traversals)
-    traversals.push_back({{"log2_ratio", kept(each.stiffness)},
-                          {"rays", each.rays},
-                          {"box_tests", each.box_tests},
-                          {"reference_box_tests", each.reference_box_tests},
-                          {"different_triangles", each.different_triangles},
-                          {"work_sums", each.work.sums()}});
-  return {{"bits", to_string(measured.format)}, {"boxes", boxes}, {"traversals", traversals}};
-}
-
-Measured parse_measured(const rtl::Design& design, const Row& row) {
-  const auto count = [](const Row& each, const char* name) { return each.at(name).get<std::uint64_t>(); };
-  Measured measured{.format = design.parse_format(row.at("bits").get<std::string>()),
-                    .boxes = {},
-                    .all_boxes = {},
-                    .traversals = {}};
-  for (const Row& each : row.at("boxes"))
-    measured.boxes.push_back({.stiffness = stiffness_of(each),
-                              .half_side = each.at("half_side").get<int>(),
-                              .aimed = each.at("aimed").get<bool>(),
-                              .tests = count(each, "tests"),
-                              .hits = count(each, "exact_hits"),
-                              .false_hits = count(each, "false_hits"),
-                              .false_misses = count(each, "false_misses")});
-  measured.all_boxes = sim::over_all_kinds(measured.boxes);
-  for (const Row& each : row.at("traversals"))
-    measured.traversals.push_back(
-        {.stiffness = stiffness_of(each),
-         .rays = count(each, "rays"),
-         .box_tests = count(each, "box_tests"),
-         .reference_box_tests = count(each, "reference_box_tests"),
-         .different_triangles = count(each, "different_triangles"),
-         .work = ref::GroupedRatio::of(each.at("work_sums").get<ref::GroupedRatio::Sums>())});
-  return measured;
+void append(std::vector<MeasuredDesign>& designs, const rtl::Design* design, Measured measured) {
+  if (designs.empty() || designs.back().design != design) designs.push_back({design, {}});
+  designs.back().formats.push_back(std::move(measured));
 }
 
 }  // namespace
 
 StiffFindings& StiffFindings::operator+=(StiffFindings later) {
-  for (MeasuredDesign& design : later.designs) {
-    if (!designs.empty() && designs.back().design == design.design)
-      for (Measured& format : design.formats) designs.back().formats.push_back(std::move(format));
-    else
-      designs.push_back(std::move(design));
-  }
+  for (MeasuredDesign& each : later.designs)
+    for (Measured& measured : each.formats) append(designs, each.design, std::move(measured));
   return *this;
 }
 
@@ -177,30 +148,30 @@ StiffFindings check_stiff_rays(const StiffCheck& command, std::vector<MeasuredDe
   return findings;
 }
 
-Row to_row(const StiffFindings& findings) {
-  Row designs = Row::array();
-  for (const MeasuredDesign& design : findings.designs) {
-    Row formats = Row::array();
-    for (const Measured& measured : design.formats) formats.push_back(to_row(measured));
-    designs.push_back({{"design", design.design->name}, {"formats", formats}});
-  }
-  return {{"scene", findings.scene},
-          {"hierarchy", findings.hierarchy},
-          {"mesh", findings.mesh},
-          {"designs", designs}};
+void to_json(Row& row, const StiffFindings& findings) {
+  row = {{"scene", findings.scene}, {"hierarchy", findings.hierarchy}, {"mesh", findings.mesh}};
+  Row& formats = row["formats"] = Row::array();
+  for (const MeasuredDesign& each : findings.designs)
+    for (const Measured& measured : each.formats)
+      formats.push_back({{"design", each.design->name},
+                         {"bits", to_string(measured.format)},
+                         {"boxes", measured.boxes},
+                         {"traversals", measured.traversals}});
 }
 
-StiffFindings parse_stiff_findings(const Row& row) {
-  StiffFindings findings{.scene = row.at("scene").get<std::string>(),
-                         .hierarchy = row.at("hierarchy").get<std::string>(),
-                         .mesh = row.at("mesh"),
-                         .designs = {}};
-  for (const Row& each : row.at("designs")) {
+void from_json(const Row& row, StiffFindings& findings) {
+  row.at("scene").get_to(findings.scene);
+  row.at("hierarchy").get_to(findings.hierarchy);
+  findings.mesh = row.at("mesh");
+  for (const Row& each : row.at("formats")) {
     const rtl::Design& design = rtl::find_design(each.at("design").get<std::string>());
-    MeasuredDesign& measured = findings.designs.emplace_back(MeasuredDesign{&design, {}});
-    for (const Row& format : each.at("formats")) measured.formats.push_back(parse_measured(design, format));
+    Measured measured{.format = design.parse_format(each.at("bits").get<std::string>()),
+                      .boxes = each.at("boxes").get<std::vector<sim::StiffBoxes>>(),
+                      .all_boxes = {},
+                      .traversals = each.at("traversals").get<std::vector<sim::StiffTraversals>>()};
+    measured.all_boxes = sim::over_all_kinds(measured.boxes);
+    append(findings.designs, &design, std::move(measured));
   }
-  return findings;
 }
 
 int report_findings(const StiffFindings& findings, const StiffReport& report) {

@@ -47,9 +47,9 @@ struct StiffFindings {
 [[nodiscard]] StiffFindings check_stiff_rays(const StiffCheck& command, std::vector<MeasuredDesign> designs,
                                              host::Piece piece);
 
-[[nodiscard]] Row to_row(const StiffFindings& findings);
+void to_json(Row& row, const StiffFindings& findings);
 /// Throws nlohmann's exceptions for another form, and what rtl::find_design() and parse_format() throw.
-[[nodiscard]] StiffFindings parse_stiff_findings(const Row& row);
+void from_json(const Row& row, StiffFindings& findings);
 
 struct StiffReport {
   std::string out;                  ///< a folder; empty: nothing is written

@@ -7,10 +7,24 @@
 #include <fmt/format.h>
 
 #include "cli/commands/categories.hpp"
+#include "cli/text/kept.hpp"
 #include "cli/text/progress.hpp"
 #include "rtl_gen/emit/unit.hpp"
 
 namespace hitpipe::cli {
+
+template <>
+struct Kept<sim::TriangleCategoryResult> {
+  static void each(auto& result, const auto& member) {
+    member("category", result.category);
+    member("tests", result.tests);
+    member("hits", result.hits);
+    member("ties", result.ties);
+    member("counted", result.counted);
+    member("wrong", result.wrong);
+    member("rtl_mismatches", result.rtl_mismatches);
+  }
+};
 
 namespace {
 
@@ -68,8 +82,7 @@ TriangleFindings check_triangle_unit(const TriangleCheck& command) {
   progress.emplace("judging");
   options.progress = [&](double share) { progress->show(share); };
   const auto start = std::chrono::steady_clock::now();
-  TriangleFindings found{
-      .design = std::string(design.name), .format = format, .seed = command.seed, .rtl = command.rtl};
+  TriangleFindings found{{std::string(design.name), format, command.seed, command.rtl}};
   found.categories = sim::check_triangles([&] { return sim::make_triangle_test(design, format); }, options);
   found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (const sim::TriangleCategoryResult& result : found.categories)
@@ -77,35 +90,18 @@ TriangleFindings check_triangle_unit(const TriangleCheck& command) {
   return found;
 }
 
-Row to_row(const TriangleFindings& findings) {
-  Row row{{"design", findings.design},  {"bits", to_string(findings.format)},
-          {"seed", findings.seed},      {"rtl", findings.rtl},
-          {"categories", Row::array()}, {"first_wrong", findings.first_wrong},
-          {"seconds", findings.seconds}};
-  for (const sim::TriangleCategoryResult& result : findings.categories)
-    row["categories"].push_back(row_of(result, true, true));
-  return row;
+void to_json(Row& row, const TriangleFindings& findings) {
+  to_json(row, static_cast<const CheckedUnit&>(findings));
+  row.update({{"categories", findings.categories},
+              {"first_wrong", findings.first_wrong},
+              {"seconds", findings.seconds}});
 }
 
-TriangleFindings parse_triangle_findings(const Row& row) {
-  const std::string design = row.at("design").get<std::string>();
-  TriangleFindings findings{
-      .design = design,
-      .format = rtl::find_design(design).parse_format(row.at("bits").get<std::string>()),
-      .seed = row.at("seed").get<std::uint64_t>(),
-      .rtl = row.at("rtl").get<bool>(),
-      .first_wrong = row.at("first_wrong").get<std::string>(),
-      .seconds = row.at("seconds").get<double>()};
-  for (const Row& each : row.at("categories"))
-    findings.categories.push_back({.category = each.at("category").get<std::string>(),
-                                   .tests = each.at("tests").get<std::uint64_t>(),
-                                   .hits = each.at("hits").get<std::uint64_t>(),
-                                   .ties = each.at("ties").get<std::uint64_t>(),
-                                   .counted = each.at("counted").get<std::uint64_t>(),
-                                   .wrong = each.at("wrong").get<std::uint64_t>(),
-                                   .rtl_mismatches = each.at("rtl_mismatches").get<std::uint64_t>(),
-                                   .first_wrong = {}});
-  return findings;
+void from_json(const Row& row, TriangleFindings& findings) {
+  from_json(row, static_cast<CheckedUnit&>(findings));
+  row.at("categories").get_to(findings.categories);
+  row.at("first_wrong").get_to(findings.first_wrong);
+  row.at("seconds").get_to(findings.seconds);
 }
 
 int report_findings(const TriangleFindings& findings, OutputFormat format) {
@@ -119,8 +115,7 @@ int report_findings(const TriangleFindings& findings, OutputFormat format) {
   }
   sum.category = "all";
   rows.push_back(row_of(sum, findings.rtl, crossings));
-  if (format == OutputFormat::text)
-    fmt::print("{} {}, seed {}\n", findings.design, to_string(findings.format), findings.seed);
+  if (format == OutputFormat::text) fmt::print("{}", head_of(findings));
   fmt::print("{}", table_text(rows, format));
   if (format == OutputFormat::text) fmt::print("{:.1f} s\n", findings.seconds);
   if (sum.wrong > 0)

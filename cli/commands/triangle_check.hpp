@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/options/design_options.hpp"
+#include "cli/text/check_report.hpp"
 #include "cli/text/table.hpp"
 #include "host/piece.hpp"
 #include "sim/check/triangle_check.hpp"
@@ -23,11 +24,7 @@ struct TriangleCheck {
   host::Piece piece;
 };
 
-struct TriangleFindings {
-  std::string design;
-  Format format;
-  std::uint64_t seed = 1;
-  bool rtl = false;                                       ///< the Verilog answered too
+struct TriangleFindings : CheckedUnit {
   std::vector<sim::TriangleCategoryResult> categories{};  ///< in order
   std::string first_wrong{};                              ///< as text; empty: all are right
   double seconds = 0;                                     ///< measured
@@ -42,10 +39,8 @@ struct TriangleFindings {
 [[nodiscard]] std::vector<ref::IntCategory> triangle_categories(const DesignChoice& choice,
                                                                 const std::vector<std::string>& names);
 
-[[nodiscard]] Row to_row(const TriangleFindings& findings);
-
-/// Throws nlohmann's exceptions for another form, and what rtl::find_design() and parse_format() throw.
-[[nodiscard]] TriangleFindings parse_triangle_findings(const Row& row);
+void to_json(Row& row, const TriangleFindings& findings);
+void from_json(const Row& row, TriangleFindings& findings);
 
 /// Prints the table, wrong answers on standard error, and returns the exit code.
 int report_findings(const TriangleFindings& findings, OutputFormat format);

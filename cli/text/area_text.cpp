@@ -23,36 +23,17 @@ using Cells = std::vector<std::string>;
 constexpr std::size_t page_width = 80;
 constexpr std::size_t usual_gap = 2;  // between columns
 
-std::size_t column_width(const std::vector<Cells>& rows, std::size_t column) {
+std::size_t column_width(const std::vector<std::vector<Cell>>& rows, std::size_t column) {
   std::size_t width = 0;
-  for (const Cells& row : rows) width = std::max(width, row[column].size());
+  for (const std::vector<Cell>& row : rows) width = std::max(width, row[column].text.size());
   return width;
 }
 
-/// The first columns are aligned left, all others right.
-std::string aligned(const std::vector<Cells>& rows, std::size_t left_columns,
-                    std::size_t between = usual_gap) {
-  std::string text;
-  for (const Cells& row : rows) {
-    std::string line;
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      const std::size_t width = column_width(rows, column);
-      if (column > 0) line += std::string(between, ' ');
-      line += column < left_columns ? fmt::format("{:<{}}", row[column], width)
-                                    : fmt::format("{:>{}}", row[column], width);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
-}
-
-/// The first two are words.
 /// With a narrower gap where the usual one would exceed the page.
-std::string fitted(const std::vector<Cells>& rows) {
+std::string fitted(const std::vector<std::vector<Cell>>& rows) {
   std::size_t width = (rows.front().size() - 1) * usual_gap;
   for (std::size_t column = 0; column < rows.front().size(); ++column) width += column_width(rows, column);
-  return aligned(rows, 2, width <= page_width ? usual_gap : 1);
+  return aligned(rows, width <= page_width ? usual_gap : 1);
 }
 
 /// For example "int", "plucker", "24/24": three short lines as the head of a column, and the interval.
@@ -81,10 +62,10 @@ std::string part_columns(const std::string& title, std::span<const Price> prices
   }
   const bool with_interval =
       std::any_of(prices.begin(), prices.end(), [](const Price& p) { return p.interval > 1; });
-  std::vector<Cells> rows(with_interval ? 3 : 2, Cells{""});
-  rows.push_back({title});
-  for (const auto& [part, cells] : parts) rows.push_back({names[part]});
-  if (total) rows.push_back({"total"});
+  std::vector<std::vector<Cell>> rows(with_interval ? 3 : 2, {Cell{}});
+  rows.push_back({{title}});
+  for (const auto& [part, cells] : parts) rows.push_back({{names[part]}});
+  if (total) rows.push_back({{"total"}});
 
   std::size_t width = column_width(rows, 0);
   std::size_t taken = 0;
@@ -96,10 +77,10 @@ std::string part_columns(const std::string& title, std::span<const Price> prices
     for (const std::string& cell : column) needed = std::max(needed, cell.size());
     width += usual_gap + needed;
     if (taken > 0 && width > page_width) break;
-    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back(column[row]);
+    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back({column[row], true});
     ++taken;
   }
-  const std::string block = fmt::format("\n{}", aligned(rows, 1));
+  const std::string block = fmt::format("\n{}", aligned(rows));
   return taken < prices.size() ? block + part_columns(title, prices.subspan(taken), show, total) : block;
 }
 
@@ -214,15 +195,16 @@ std::string summary(const AreaTable& table, const std::vector<std::string_view>&
   std::vector<Column> all = columns_of(table);
   all.push_back(
       {"boxes_M", "boxes", "M/s", [](const RatedPrice& p) { return area::megaboxes_per_second(p.price); }});
-  std::vector<Cells> rows(2 + table.units.size());
+  std::vector<std::vector<Cell>> rows(2 + table.units.size());
   for (const std::string_view key : keys) {
     const Column& column =
         *std::find_if(all.begin(), all.end(), [&](const Column& each) { return each.key == key; });
-    rows[0].push_back(column.head);
-    rows[1].push_back(column.unit);
+    const bool right = !column.is_word;
+    rows[0].push_back({column.head, right});
+    rows[1].push_back({column.unit, right});
     for (std::size_t i = 0; i < table.units.size(); ++i) {
       const std::string digits = column.digits(table.units[i]);
-      rows[i + 2].push_back(key.ends_with("_pct") && !digits.empty() ? digits + "%" : digits);
+      rows[i + 2].push_back({key.ends_with("_pct") && !digits.empty() ? digits + "%" : digits, right});
     }
   }
   return fitted(rows);

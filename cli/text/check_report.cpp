@@ -5,45 +5,44 @@
 
 #include <fmt/format.h>
 
+#include "cli/text/kept.hpp"
 #include "sim/software/software.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 
+namespace nlohmann {
+
+template <>
+struct adl_serializer<hitpipe::ref::adversary::Case, void> {
+  static void to_json(auto& row, const hitpipe::ref::adversary::Case& c) {
+    row = hitpipe::ref::adversary::to_text(c);
+  }
+  static void from_json(const auto& row, hitpipe::ref::adversary::Case& c) {
+    c = hitpipe::ref::adversary::parse_case(row.template get<std::string>());
+  }
+};
+
+}  // namespace nlohmann
+
 namespace hitpipe::cli {
+
+template <>
+struct Kept<sim::CategoryResult> {
+  static void each(auto& result, const auto& member) {
+    member("category", result.category);
+    member("tests", result.tests);
+    member("exact_hits", result.hits);
+    member("false_misses", result.false_misses);
+    member("false_hits", result.false_hits);
+    member("rtl_mismatches", result.rtl_mismatches);
+    member("false_miss_sums", result.false_miss_share);
+    member("false_hit_sums", result.false_hit_share);
+    member("false_miss", result.false_miss);
+  }
+};
 
 namespace {
 
 using ref::adversary::Case;
-
-Row kept(const sim::CategoryResult& result) {
-  Row row{{"category", result.category},
-          {"tests", result.tests},
-          {"exact_hits", result.hits},
-          {"false_misses", result.false_misses},
-          {"false_hits", result.false_hits},
-          {"rtl_mismatches", result.rtl_mismatches},
-          {"false_miss_sums", result.false_miss_share.sums()},
-          {"false_hit_sums", result.false_hit_share.sums()}};
-  if (result.false_miss) row["false_miss"] = ref::adversary::to_text(*result.false_miss);
-  return row;
-}
-
-sim::CategoryResult parse_kept(const Row& row) {
-  const auto share = [&](const char* name) {
-    return ref::GroupedRatio::of(row.at(name).get<ref::GroupedRatio::Sums>());
-  };
-  sim::CategoryResult result{.category = row.at("category").get<std::string>(),
-                             .tests = row.at("tests").get<std::uint64_t>(),
-                             .hits = row.at("exact_hits").get<std::uint64_t>(),
-                             .false_misses = row.at("false_misses").get<std::uint64_t>(),
-                             .false_hits = row.at("false_hits").get<std::uint64_t>(),
-                             .rtl_mismatches = row.at("rtl_mismatches").get<std::uint64_t>(),
-                             .false_miss_share = share("false_miss_sums"),
-                             .false_hit_share = share("false_hit_sums"),
-                             .false_miss = {}};
-  if (row.contains("false_miss"))
-    result.false_miss = ref::adversary::parse_case(row.at("false_miss").get<std::string>());
-  return result;
-}
 
 void add(std::vector<sim::CategoryResult>& sums, const std::vector<sim::CategoryResult>& later) {
   for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += later.at(i);
@@ -136,33 +135,30 @@ CheckFindings& CheckFindings::operator+=(const CheckFindings& later) {
   return *this;
 }
 
-Row to_row(const CheckFindings& findings) {
-  const auto all = [](const std::vector<sim::CategoryResult>& results) {
-    Row rows = Row::array();
-    for (const sim::CategoryResult& result : results) rows.push_back(kept(result));
-    return rows;
-  };
-  return {{"design", findings.design},
-          {"bits", to_string(findings.format)},
-          {"seed", findings.seed},
-          {"rtl", findings.rtl},
-          {"categories", all(findings.categories)},
-          {"comparison", all(findings.comparison)}};
+void to_json(Row& row, const CheckedUnit& unit) {
+  row = {{"design", unit.design}, {"bits", to_string(unit.format)}, {"seed", unit.seed}, {"rtl", unit.rtl}};
 }
 
-CheckFindings parse_findings(const Row& row) {
-  const auto all = [&](const char* name) {
-    std::vector<sim::CategoryResult> results;
-    for (const Row& each : row.at(name)) results.push_back(parse_kept(each));
-    return results;
-  };
-  const std::string design = row.at("design").get<std::string>();
-  return {.design = design,
-          .format = rtl::find_design(design).parse_format(row.at("bits").get<std::string>()),
-          .seed = row.at("seed").get<std::uint64_t>(),
-          .rtl = row.at("rtl").get<bool>(),
-          .categories = all("categories"),
-          .comparison = all("comparison")};
+void from_json(const Row& row, CheckedUnit& unit) {
+  row.at("design").get_to(unit.design);
+  unit.format = rtl::find_design(unit.design).parse_format(row.at("bits").get<std::string>());
+  row.at("seed").get_to(unit.seed);
+  row.at("rtl").get_to(unit.rtl);
+}
+
+std::string head_of(const CheckedUnit& unit) {
+  return fmt::format("{} {}, seed {}\n", unit.design, to_string(unit.format), unit.seed);
+}
+
+void to_json(Row& row, const CheckFindings& findings) {
+  to_json(row, static_cast<const CheckedUnit&>(findings));
+  row.update({{"categories", findings.categories}, {"comparison", findings.comparison}});
+}
+
+void from_json(const Row& row, CheckFindings& findings) {
+  from_json(row, static_cast<CheckedUnit&>(findings));
+  row.at("categories").get_to(findings.categories);
+  row.at("comparison").get_to(findings.comparison);
 }
 
 int check_verdict(const rtl::Design& design, std::uint64_t false_misses, std::uint64_t rtl_mismatches) {
@@ -183,9 +179,7 @@ int report_findings(const CheckFindings& findings, OutputFormat format) {
   // A table of categories has no row of another kind: whoever adds them up would count it twice.
   if (format != OutputFormat::csv)
     rows.push_back(row_of(findings, format, sum, findings.comparison.empty() ? nullptr : &comparison_sum));
-  if (format == OutputFormat::text) {
-    fmt::print("{} {}, seed {}\n", findings.design, to_string(findings.format), findings.seed);
-  }
+  if (format == OutputFormat::text) fmt::print("{}", head_of(findings));
   fmt::print("{}", table_text(rows, format));
   if (format == OutputFormat::text) {
     fmt::print("{}{}", share_text("false misses", "met", sum.false_miss_share),
@@ -199,16 +193,12 @@ UnitsFindings& UnitsFindings::operator+=(const UnitsFindings& later) {
   return *this;
 }
 
-Row to_row(const UnitsFindings& findings) {
-  Row units = Row::array();
-  for (const CheckFindings& unit : findings.units) units.push_back(to_row(unit));
-  return {{"units", units}};
+void to_json(Row& row, const UnitsFindings& findings) {
+  row = {{"units", findings.units}};
 }
 
-UnitsFindings parse_units_findings(const Row& row) {
-  UnitsFindings findings;
-  for (const Row& unit : row.at("units")) findings.units.push_back(parse_findings(unit));
-  return findings;
+void from_json(const Row& row, UnitsFindings& findings) {
+  row.at("units").get_to(findings.units);
 }
 
 int report_findings(const UnitsFindings& findings, OutputFormat format) {

@@ -6,16 +6,28 @@
 #include <vector>
 
 #include "cli/text/table.hpp"
+#include "hls/box/int_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/check.hpp"
 
 namespace hitpipe::cli {
 
-struct CheckFindings {
-  std::string design;
-  Format format;
+/// What was checked, and how.
+struct CheckedUnit {
+  std::string design{};
+  Format format = hls::IntBits{};  ///< of the design
   std::uint64_t seed = 1;
-  bool rtl = false;                               ///< the Verilog answered too
+  bool rtl = false;  ///< the Verilog answered too
+};
+
+void to_json(Row& row, const CheckedUnit& unit);
+/// Throws nlohmann's exceptions for another form, and what rtl::find_design() and parse_format() throw.
+void from_json(const Row& row, CheckedUnit& unit);
+
+/// A line: the design, its bits and the seed.
+[[nodiscard]] std::string head_of(const CheckedUnit& unit);
+
+struct CheckFindings : CheckedUnit {
   std::vector<sim::CategoryResult> categories{};  ///< in order
   std::vector<sim::CategoryResult> comparison{};  ///< the same of the design's comparison, if it has one
 
@@ -32,14 +44,10 @@ struct UnitsFindings {
 };
 
 /// With all sums, so that intervals of joined findings are those of all tests.
-[[nodiscard]] Row to_row(const CheckFindings& findings);
-
-/// Throws nlohmann's exceptions for another form, and what rtl::find_design() and parse_format() throw.
-[[nodiscard]] CheckFindings parse_findings(const Row& row);
-
-[[nodiscard]] Row to_row(const UnitsFindings& findings);
-/// Throws what parse_findings() throws.
-[[nodiscard]] UnitsFindings parse_units_findings(const Row& row);
+void to_json(Row& row, const CheckFindings& findings);
+void from_json(const Row& row, CheckFindings& findings);
+void to_json(Row& row, const UnitsFindings& findings);
+void from_json(const Row& row, UnitsFindings& findings);
 
 /// The exit code for these counts.
 [[nodiscard]] int check_verdict(const rtl::Design& design, std::uint64_t false_misses,

@@ -17,38 +17,26 @@ Row row_of(const MeasuredDesign& d, const Measured& m, sim::Stiffness stiffness,
           {"boxes", boxes}};
 }
 
-double boxes_pct(const Measured& m, std::size_t i) {
-  return m.all_boxes[i].false_hit_pct();
-}
-double traversals_pct(const Measured& m, std::size_t i) {
-  return m.traversals[i].extra_box_tests_pct();
-}
-using Percent = double (*)(const Measured&, std::size_t);
-
-ref::Interval boxes_interval(const Measured& m, std::size_t i) {
-  return m.all_boxes[i].false_hit_pct_interval();
-}
-ref::Interval traversals_interval(const Measured& m, std::size_t i) {
-  return m.traversals[i].extra_box_tests_pct_interval();
-}
-using PercentInterval = ref::Interval (*)(const Measured&, std::size_t);
+/// In percent, with its 95 % interval.
+struct Figure {
+  double percent;
+  ref::Interval interval;
+};
+using FigureOf = Figure (*)(const Measured&, std::size_t);
 
 /// One table: a row for each ratio, a column for each format. Below each row half the widths of its 95 %
 /// intervals.
-std::string text_of(const MeasuredDesign& d, Percent percent, PercentInterval interval, int decimals,
-                    const std::string& what) {
+std::string text_of(const MeasuredDesign& d, FigureOf figure, int decimals, const std::string& what) {
   std::vector<Row> rows;
   for (std::size_t i = 0; i < sim::stiffnesses().size(); ++i) {
     Row row{{"ratio", ratio_text(sim::stiffnesses()[i])}};
-    for (const Measured& m : d.formats) {
-      row[to_string(m.format)] = fmt::format("{:>7.{}f}", percent(m, i), decimals);
-    }
-    rows.push_back(std::move(row));
     Row spread{{"ratio", "+-95 %"}};
     for (const Measured& m : d.formats) {
-      const ref::Interval of = interval(m, i);
-      spread[to_string(m.format)] = fmt::format("{:>7.{}f}", (of.high - of.low) / 2, decimals);
+      const auto [percent, interval] = figure(m, i);
+      row[to_string(m.format)] = fmt::format("{:>7.{}f}", percent, decimals);
+      spread[to_string(m.format)] = fmt::format("{:>7.{}f}", (interval.high - interval.low) / 2, decimals);
     }
+    rows.push_back(std::move(row));
     rows.push_back(std::move(spread));
   }
   return fmt::format("{}: {}\n{}", d.design->name, what, table_text(rows, OutputFormat::text));
@@ -102,12 +90,18 @@ std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs, cons
 }
 
 std::string stiffness_text(const std::vector<MeasuredDesign>& designs, const std::string& scene) {
+  const auto of_boxes = [](const Measured& m, std::size_t i) {
+    return Figure{m.all_boxes[i].false_hit_pct(), m.all_boxes[i].false_hit_pct_interval()};
+  };
+  const auto of_scene = [](const Measured& m, std::size_t i) {
+    return Figure{m.traversals[i].extra_box_tests_pct(), m.traversals[i].extra_box_tests_pct_interval()};
+  };
   std::string text;
   for (const MeasuredDesign& d : designs) {
     if (!text.empty()) text += '\n';
-    text += text_of(d, boxes_pct, boxes_interval, 4, "false hits, % of the boxes that the ray misses");
+    text += text_of(d, of_boxes, 4, "false hits, % of the boxes that the ray misses");
     if (!scene.empty()) {
-      text += '\n' + text_of(d, traversals_pct, traversals_interval, 2,
+      text += '\n' + text_of(d, of_scene, 2,
                              fmt::format("extra box tests on {}, % above conservative float slabs", scene));
     }
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -59,67 +58,49 @@ std::string csv_text(const std::vector<Row>& rows) {
 
 }  // namespace
 
-std::string table_text(const std::vector<Row>& rows, OutputFormat format) {
-  if (format == OutputFormat::json) return dump(rows, 2) + "\n";
-  if (format == OutputFormat::csv) return csv_text(rows);
+std::string aligned(const std::vector<std::vector<Cell>>& rows, std::size_t gap) {
+  std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size());
+  for (const std::vector<Cell>& row : rows)
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].text.size());
   std::string text;
-  if (rows.empty()) return text;
-  std::vector<std::size_t> widths;
-  for (const auto& [key, value] : rows.front().items()) widths.push_back(key.size());
-  for (const Row& row : rows) {
-    std::size_t column = 0;
-    for (const auto& [key, value] : row.items()) {
-      widths[column] = std::max(widths[column], readable(value).size());
-      ++column;
+  for (const std::vector<Cell>& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      if (i > 0) line.append(gap, ' ');
+      line += row[i].right ? fmt::format("{:>{}}", row[i].text, widths[i])
+                           : fmt::format("{:<{}}", row[i].text, widths[i]);
     }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
   }
-  const auto line = [&](const Row& row, bool header) {
-    std::string cells;
-    std::size_t column = 0;
-    for (const auto& [key, value] : row.items()) {
-      const std::string cell = header ? key : readable(value);
-      const bool number = value.is_number();
-      cells += number ? fmt::format("{:>{}}  ", cell, widths[column])
-                      : fmt::format("{:<{}}  ", cell, widths[column]);
-      ++column;
-    }
-    cells.erase(cells.find_last_not_of(' ') + 1);
-    return cells + "\n";
-  };
-  text += line(rows.front(), true);
-  for (const Row& row : rows) text += line(row, false);
   return text;
 }
 
+std::string table_text(const std::vector<Row>& rows, OutputFormat format) {
+  if (format == OutputFormat::json) return dump(rows, 2) + "\n";
+  if (format == OutputFormat::csv) return csv_text(rows);
+  if (rows.empty()) return "";
+  std::vector<std::vector<Cell>> lines(1);
+  for (const auto& [key, value] : rows.front().items()) lines[0].push_back({key, value.is_number()});
+  for (const Row& row : rows) {
+    std::vector<Cell>& line = lines.emplace_back();
+    for (const Row& value : row) line.push_back({readable(value), value.is_number()});
+  }
+  return aligned(lines);
+}
+
 std::string columns_text(const std::vector<Row>& rows) {
-  struct Line {
-    std::string key;
-    std::vector<std::string> values;
-  };
-  std::vector<Line> lines;
+  std::vector<std::vector<Cell>> lines;
   for (const auto& [key, value] : rows.front().items()) {
-    Line line{lines.empty() ? "" : key, {}};
+    std::vector<Cell> line{{lines.empty() ? "" : key}};
     bool has_value = false;
     for (const Row& row : rows) {
-      line.values.push_back(readable(row.at(key)));
+      line.push_back({readable(row.at(key)), true});
       has_value = has_value || !row.at(key).is_null();
     }
     if (has_value) lines.push_back(std::move(line));
   }
-  std::size_t key_width = 0;
-  std::vector<std::size_t> widths(rows.size());
-  for (const Line& line : lines) {
-    key_width = std::max(key_width, line.key.size());
-    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], line.values[i].size());
-  }
-  std::string text;
-  for (const Line& line : lines) {
-    text += fmt::format("{:<{}}", line.key, key_width);
-    for (std::size_t i = 0; i < widths.size(); ++i)
-      text += fmt::format("  {:>{}}", line.values[i], widths[i]);
-    text += "\n";
-  }
-  return text;
+  return aligned(lines);
 }
 
 std::string record_text(const Row& row, OutputFormat format) {

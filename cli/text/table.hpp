@@ -1,6 +1,7 @@
 // What a command prints: rows of named values, as aligned text, CSV or JSON.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,14 @@ namespace hitpipe::cli {
 using Row = nlohmann::ordered_json;
 
 enum class OutputFormat { text, csv, json };
+
+struct Cell {
+  std::string text;
+  bool right = false;  ///< where it stands in a wider column
+};
+
+/// Columns as wide as their widest cells, with `gap` blanks between them. All rows have as many cells.
+[[nodiscard]] std::string aligned(const std::vector<std::vector<Cell>>& rows, std::size_t gap = 2);
 
 /// One line for each row, under a header. JSON: an array of objects. All rows have the keys of the first.
 [[nodiscard]] std::string table_text(const std::vector<Row>& rows, OutputFormat format);

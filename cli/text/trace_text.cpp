@@ -3,81 +3,66 @@
 #include <cstdint>
 #include <utility>
 
+#include "cli/text/kept.hpp"
+
 namespace hitpipe::cli {
 
-namespace {
+template <>
+struct Kept<sim::QuestionTrace> {
+  static void each(auto& questions, const auto& member) {
+    member("question_rays", questions.rays);
+    member("crossings", questions.crossings);
+    member("ties", questions.ties);
+    member("nearests", questions.nearests);
+    member("anys", questions.anys);
+    member("counts", questions.counts);
+    member("nexts", questions.nexts);
+    member("outside_rays", questions.outside);
+    member("odd_counts", questions.odd);
+    member("questions_wrong", questions.wrong);
+  }
+};
 
-/// Calls add(name, count) for each count of a run.
-template <class Trace, class Add>
-void each_count(Trace& trace, const Add& add) {
-  add("rays", trace.counts.rays);
-  add("cycles", trace.counts.cycles);
-  add("records", trace.counts.records);
-  add("triangles", trace.counts.triangles);
-  add("failed", trace.counts.failed);
-  add("refused", trace.counts.refused);
-  add("few_rays", trace.counts.few_rays);
-  add("waiting", trace.counts.waiting);
-  add("inside", trace.counts.inside);
-  add("memory_cycles", trace.memory.cycles);
-  add("requests", trace.memory.requests);
-  add("outside", trace.memory.outside);
-  add("hits", trace.memory.hits);
-  add("misses", trace.memory.misses);
-  add("merged", trace.memory.merged);
-  add("bytes_read", trace.memory.bytes_read);
-  add("answers", trace.memory.answers);
-  add("most_waiting", trace.memory.most_waiting);
-  add("wrong", trace.wrong);
-  add("same_reads", trace.same_reads);
-  add("restarts", trace.restarts);
-  add("rays_in_flight", trace.rays_in_flight);
-  add("clock_ps", trace.clock_ps);
-}
-
-template <class Trace, class Add>
-void each_question(Trace& questions, const Add& add) {
-  add("question_rays", questions.rays);
-  add("crossings", questions.crossings);
-  add("ties", questions.ties);
-  add("nearests", questions.nearests);
-  add("anys", questions.anys);
-  add("counts", questions.counts);
-  add("nexts", questions.nexts);
-  add("outside_rays", questions.outside);
-  add("odd_counts", questions.odd);
-  add("questions_wrong", questions.wrong);
-}
-
-}  // namespace
+template <>
+struct Kept<CoreRun> {
+  static void each(auto& run, const auto& member) {
+    auto& trace = run.trace;
+    member("core", run.core);
+    member("rays", trace.counts.rays);
+    member("cycles", trace.counts.cycles);
+    member("records", trace.counts.records);
+    member("triangles", trace.counts.triangles);
+    member("failed", trace.counts.failed);
+    member("refused", trace.counts.refused);
+    member("few_rays", trace.counts.few_rays);
+    member("waiting", trace.counts.waiting);
+    member("inside", trace.counts.inside);
+    member("memory_cycles", trace.memory.cycles);
+    member("requests", trace.memory.requests);
+    member("outside", trace.memory.outside);
+    member("hits", trace.memory.hits);
+    member("misses", trace.memory.misses);
+    member("merged", trace.memory.merged);
+    member("bytes_read", trace.memory.bytes_read);
+    member("answers", trace.memory.answers);
+    member("most_waiting", trace.memory.most_waiting);
+    member("wrong", trace.wrong);
+    member("same_reads", trace.same_reads);
+    member("restarts", trace.restarts);
+    member("rays_in_flight", trace.rays_in_flight);
+    member("clock_ps", trace.clock_ps);
+    member("triangle_interval", trace.triangle_interval);
+    member("questions", trace.questions);
+  }
+};
 
 Row kept_runs(const std::vector<CoreRun>& runs, Row about) {
-  Row rows = Row::array();
-  for (const CoreRun& run : runs) {
-    Row row{{"core", run.core}};
-    each_count(run.trace, [&](const char* name, const auto& value) { row[name] = value; });
-    if (run.trace.triangle_interval) row["triangle_interval"] = *run.trace.triangle_interval;
-    if (run.trace.questions)
-      each_question(*run.trace.questions, [&](const char* name, const auto& value) { row[name] = value; });
-    rows.push_back(std::move(row));
-  }
-  about["runs"] = std::move(rows);
+  about["runs"] = runs;
   return about;
 }
 
 std::vector<CoreRun> parse_runs(const Row& row) {
-  std::vector<CoreRun> runs;
-  for (const Row& each : row.at("runs")) {
-    CoreRun& run = runs.emplace_back();
-    run.core = each.at("core").get<std::size_t>();
-    each_count(run.trace, [&](const char* name, auto& value) { each.at(name).get_to(value); });
-    if (each.contains("triangle_interval"))
-      run.trace.triangle_interval = each.at("triangle_interval").get<int>();
-    if (each.contains("questions_wrong"))
-      each_question(run.trace.questions.emplace(),
-                    [&](const char* name, auto& value) { each.at(name).get_to(value); });
-  }
-  return runs;
+  return row.at("runs").get<std::vector<CoreRun>>();
 }
 
 Row trace_row(const sim::CoreTrace& trace, bool cache) {
