@@ -34,12 +34,11 @@
 #include "host/format.hpp"
 #include "rays/image/core_image.hpp"
 #include "rtl_gen/component/library.hpp"
-#include "rtl_gen/core/core.hpp"
-#include "sim/core/core_trace.hpp"
+#include "rtl_gen/core/core_options.hpp"
+#include "rtl_gen/core/feature.hpp"
+#include "sim/core/core_set.hpp"
 #include "sim/core/memory_port.hpp"
-#include "sim/core/native_core.hpp"
 #include "sim/core/picture_rays.hpp"
-#include "sim/machine/verilated_machine.hpp"
 #include "sim/operands/answer.hpp"
 #include "sw_ref/render/image_file.hpp"
 
@@ -93,86 +92,120 @@ sim::MemoryOptions memory_of(const TraceCommand& command) {
   return memory;
 }
 
-/// A scene as cores trace it: which rays, and each core's machine.
+/// Each core traces each part of the rays. The parts are one after the other, each with all cores.
+std::uint64_t runs_of(const TraceCommand& command) {
+  return command.parts * command.rays_in_flight.size();
+}
+
+std::filesystem::path picture_file(const TraceCommand& command, const std::string& scene) {
+  return std::filesystem::path(command.out) / (std::filesystem::path(scene).stem().string() + ".png");
+}
+
+/// What cores did in the runs of a piece, or in all.
+struct Found {
+  std::vector<CoreRun> runs;
+  Row about{};                       ///< what is said of all
+  std::string scene{};               ///< its name
+  std::vector<glm::vec3> picture{};  ///< of the last core's answers, if it is drawn
+};
+
 class Tracing {
  public:
   explicit Tracing(const TraceCommand& command)
       : command_(command),
         library_(rtl::library_called(command.library)),
         traced_(scene_of(command)),
-        walking_{.world = bits(),
-                 .boxes = usual_box_format(bits()),
-                 .places = 1 << command.core.options.stack_bits},
-        memory_(memory_of(command)) {
-    check_room();
-    if (command.rays.given()) list_ = sim::read_ray_list(command.rays.file, traced_.scene->scene.to_cube);
+        cores_(traced_.scene, traced_.image,
+               {.core = command.core.core(),
+                .bits = usual_ray_format(traced_.scene->bits),
+                .rays_in_flight = command.rays_in_flight,
+                .memory = memory_of(command),
+                .native = command.native}),
+        draws_(!command.pieces.piece && !command.out.empty()),
+        list_(command.rays.given() ? sim::read_ray_list(command.rays.file, traced_.scene->scene.to_cube)
+                                   : std::vector<sim::AskedRay>()),
+        file_(command.rays.answers, {"rays_in_flight"}),
+        answers_(cores_.size()) {
     if (!list_.empty()) check_parts(command, list_.size(), "rays");
     if (command.edges.given()) {
       check_parts(command, command.edges.rays, "rays");
       questions_ = {.count_alone = command.edges.count_alone,
                     .closed = ref::closedness(traced_.scene->mesh).even()};
     }
+    found_ = {.runs = {},
+              .about = {{"hierarchy", traced_.hierarchy},
+                        {"cache", cores_.has_cache()},
+                        {"cache_is_model", command.model_kib > 0},
+                        {"mesh", traced_.mesh}},
+              .scene = traced_.scene->scene.name};
+    if (command.edges.given()) found_.about["closed"] = questions_.closed;
+    if (!draws_) return;
+    host::make_folder(command.out);
+    ref::check_image_place(picture_file(command, found_.scene));
   }
 
-  void make_cores() {
-    std::vector<rtl::CoreOptions> options;
-    for (const int rays : command_.rays_in_flight) {
-      rtl::CoreOptions& core = options.emplace_back(command_.core.core());
-      core.bits = usual_ray_format(bits());
-      core.rays = rays;
-      sim::make_room(core, traced_.image);
+  void make_cores() { cores_.make(library_); }
+
+  /// A run is of one core and one part of the rays.
+  void run(std::uint64_t number, const std::function<void(double)>& progress) {
+    const std::size_t core = number % cores_.size();
+    begin(number / cores_.size());
+    if (command_.edges.given()) {
+      sim::QuestionOptions questions = questions_;
+      questions.progress = progress;
+      found_.runs.push_back({core, cores_.trace(core, edge_rays_, questions)});
+      return;
     }
-    cores_ = rtl::make_cores(options, library_);
-    for (const rtl::Core& core : cores_) {
-      if (command_.native)
-        machines_.push_back(std::make_unique<sim::NativeCore>(core));
-      else
-        machines_.push_back(std::make_unique<sim::VerilatedMachine>(core, rtl::to_verilog(core, library_)));
-    }
+    const auto keep = [&](std::span<const sim::CoreAnswer> given) {
+      for (std::size_t ray = 0; file_.wanted() && ray < given.size(); ++ray)
+        answers_[core].push_back({given[ray].hit, given[ray].failed, rays_->triangles[ray]});
+      if (draws_ && core + 1 == cores_.size()) draw(given);
+    };
+    found_.runs.push_back({core, cores_.trace(core, *rays_, progress, keep)});
   }
 
-  /// The rays of a part, with what software answers and reads for them.
-  [[nodiscard]] sim::PictureRays rays(host::Piece part) const {
-    if (!list_.empty()) {
-      const host::Piece::Range mine = part.range(list_.size());
-      return sim::listed_rays(traced_.scene, traced_.image, walking_,
-                              std::span(list_).subspan(mine.first, mine.size()));
+  /// Writes the answers, too.
+  [[nodiscard]] Found finish(const CLI::App& parsed) {
+    for (std::size_t core = 0; file_.wanted() && core < cores_.size(); ++core)
+      write(command_.rays_in_flight[core], answers_[core]);
+    Row notes = notes_of(parsed);
+    notes.update(traced_.notes);
+    file_.finish(notes);
+    return std::move(found_);
+  }
+
+ private:
+  /// The rays of a part are made once for all cores.
+  void begin(std::uint64_t part) {
+    if (part_ == part) return;
+    part_ = part;
+    const host::Piece piece = piece_of_all();
+    if (command_.edges.given()) {
+      edge_rays_ = command_.edges.of_part(*traced_.scene, piece);
+    } else if (!list_.empty()) {
+      const host::Piece::Range mine = piece.range(list_.size());
+      rays_ = cores_.listed(std::span(list_).subspan(mine.first, mine.size()));
+    } else {
+      rays_ = cores_.picture(of_picture());
     }
-    return sim::picture_rays(traced_.scene, traced_.image, walking_, of_picture(part));
   }
-  /// Of a part, at edges and corners.
-  [[nodiscard]] std::vector<ref::Ray> edge_rays(host::Piece part) const {
-    return command_.edges.of_part(*traced_.scene, part);
-  }
-  /// How the rays of a part are rendered.
-  [[nodiscard]] ref::RenderOptions of_picture(host::Piece part) const {
+  [[nodiscard]] host::Piece piece_of_all() const { return {*part_ + 1, command_.parts}; }
+  /// How the rays of the part are rendered.
+  [[nodiscard]] ref::RenderOptions of_picture() const {
     return {.width = command_.traced.scene.width,
             .height = command_.traced.scene.height,
-            .tiles = part,
+            .tiles = piece_of_all(),
             .picture = !command_.pieces.piece};
   }
-
-  using Keep = std::function<void(std::span<const sim::CoreAnswer>)>;
-  [[nodiscard]] sim::CoreTrace trace(std::size_t core, const sim::PictureRays& rays,
-                                     const std::function<void(double)>& progress, const Keep& keep) const {
-    return sim::trace_core(cores_[core], *machines_[core], traced_.image, rays, memory_, progress, keep);
+  void draw(std::span<const sim::CoreAnswer> given) {
+    const std::vector<glm::vec3> drawn = rays_->drawn(given, of_picture());
+    found_.picture.resize(drawn.size());
+    for (std::size_t pixel = 0; pixel < drawn.size(); ++pixel) found_.picture[pixel] += drawn[pixel];
   }
-
-  [[nodiscard]] sim::CoreTrace trace(std::size_t core, std::span<const ref::Ray> edge_rays,
-                                     const std::function<void(double)>& progress) const {
-    sim::QuestionOptions questions = questions_;
-    questions.progress = progress;
-    return sim::trace_core(cores_[core], *machines_[core], traced_.image, *traced_.scene, edge_rays, memory_,
-                           questions);
-  }
-  [[nodiscard]] bool is_closed() const { return questions_.closed; }
-  /// In the core, or as a model.
-  [[nodiscard]] bool has_cache() const { return memory_.reads_lines || memory_.cache_kib > 0; }
-
   /// Writes the T that the core gave, so that a wrong T shows.
-  void write(AnswersFile& file, int rays_in_flight, const std::vector<CoreRayAnswer>& answers) const {
+  void write(int rays_in_flight, const std::vector<CoreRayAnswer>& answers) {
     const std::vector<std::string> unit{fmt::format("{}", rays_in_flight)};
-    file.add(unit, list_, [&](std::size_t ray) {
+    file_.add(unit, list_, [&](std::size_t ray) {
       const auto& [hit, failed, exact] = answers[ray];
       sim::Answer answer{.given = !failed,
                          .exact = sim::meeting_of_number(*traced_.scene, list_[ray], exact)};
@@ -181,37 +214,36 @@ class Tracing {
       return answer;
     });
   }
-  [[nodiscard]] const CoreScene& traced() const { return traced_; }
-
- private:
-  /// Throws std::runtime_error, one line, for what the image has more of than the core.
-  void check_room() const {
-    const ref::CoreHeader& image = traced_.image.header;
-    const rtl::CoreOptions& core = command_.core.options;
-    const auto check = [](const char* option, int given, const std::string& has, int needed, int most) {
-      if (needed > given)
-        throw std::runtime_error(
-            fmt::format("{} {}: the scene has {}; allowed is {} to {}", option, given, has, needed, most));
-    };
-    check("--levels", core.levels, fmt::format("{} records on a path", image.levels), image.levels,
-          rtl::CoreOptions::most_levels);
-    check("--number-bits", core.number_bits, fmt::format("{} triangles", image.in_source()),
-          image.number_bits(), hls::triangle_number_bits);
-    check("--leaf-bits", core.leaf_bits, fmt::format("leaves with {} triangles", image.most_in_leaf),
-          image.leaf_bits(), hls::child_count_bits);
-  }
-  [[nodiscard]] const hls::WorldBits& bits() const { return traced_.scene->bits; }
 
   const TraceCommand& command_;
   rtl::Library library_;
   CoreScene traced_;
-  ref::CoreTracerOptions walking_;
-  sim::MemoryOptions memory_;
+  sim::CoreSet cores_;
+  bool draws_;
   std::vector<sim::AskedRay> list_;
-  sim::QuestionOptions questions_;  ///< of rays at edges
-  std::vector<rtl::Core> cores_;
-  std::vector<std::unique_ptr<rtl::NativeMachine>> machines_;
+  AnswersFile file_;
+  std::vector<std::vector<CoreRayAnswer>> answers_;  ///< by core
+  sim::QuestionOptions questions_;                   ///< of rays at edges
+  std::optional<std::uint64_t> part_;
+  std::optional<sim::PictureRays> rays_;  ///< of the part, and the next too
+  std::vector<ref::Ray> edge_rays_;
+  Found found_;
 };
+
+/// Does the runs of a piece.
+Found run(const TraceCommand& command, const CLI::App& parsed, host::Piece piece) {
+  std::optional<Progress> progress("reading the scene");
+  Tracing tracing(command);
+  progress.emplace("making the cores");
+  tracing.make_cores();
+  progress.emplace("tracing");
+  const host::Piece::Range mine = piece.range(runs_of(command));
+  for (std::uint64_t i = mine.first; i < mine.end; ++i)
+    tracing.run(i, [&](double share) {
+      progress->show((static_cast<double>(i - mine.first) + share) / static_cast<double>(mine.size()));
+    });
+  return tracing.finish(parsed);
+}
 
 /// Prints what the cores did in all their runs, and returns whether it was right.
 bool report(const std::vector<CoreRun>& runs, const Row& about, OutputFormat format) {
@@ -240,97 +272,22 @@ bool report(const std::vector<CoreRun>& runs, const Row& about, OutputFormat for
   return right;
 }
 
-/// Each core traces each part of the rays. The parts are one after the other, each with all cores.
-std::uint64_t runs_of(const TraceCommand& command) {
-  return command.parts * command.rays_in_flight.size();
-}
-
-std::filesystem::path picture_file(const TraceCommand& command, const std::string& scene) {
-  return std::filesystem::path(command.out) / (std::filesystem::path(scene).stem().string() + ".png");
-}
-
-/// Does the runs of a piece, and writes the answers. `picture` gets what the last core's answers show, `scene` the name,
-/// `about` what is said of all.
-std::vector<CoreRun> run(const TraceCommand& command, const CLI::App& parsed, host::Piece piece,
-                         std::vector<glm::vec3>& picture, std::string& scene, Row& about) {
-  std::optional<Progress> progress("reading the scene");
-  Tracing tracing(command);
-  scene = tracing.traced().scene->scene.name;
-  AnswersFile file(command.rays.answers, {"rays_in_flight"});
-  about = {{"hierarchy", tracing.traced().hierarchy},
-           {"cache", tracing.has_cache()},
-           {"cache_is_model", command.model_kib > 0},
-           {"mesh", tracing.traced().mesh}};
-  if (command.edges.given()) about["closed"] = tracing.is_closed();
-  const bool draws = !command.pieces.piece && !command.out.empty();
-  if (draws) {
-    host::make_folder(command.out);
-    ref::check_image_place(picture_file(command, scene));
-  }
-  progress.emplace("making the cores");
-  tracing.make_cores();
-  progress.emplace("tracing");
-  const host::Piece::Range mine = piece.range(runs_of(command));
-  const std::size_t cores = command.rays_in_flight.size();
-  std::vector<CoreRun> runs;
-  std::vector<std::vector<CoreRayAnswer>> answers(cores);
-  std::optional<std::uint64_t> part;
-  std::optional<sim::PictureRays> rays;
-  std::vector<ref::Ray> edge_rays;
-  for (std::uint64_t i = mine.first; i < mine.end; ++i) {
-    const auto show = [&](double share) {
-      progress->show((static_cast<double>(i - mine.first) + share) / static_cast<double>(mine.size()));
-    };
-    if (part != i / cores) {
-      part = i / cores;
-      const host::Piece of_all{*part + 1, command.parts};
-      if (command.edges.given())
-        edge_rays = tracing.edge_rays(of_all);
-      else
-        rays = tracing.rays(of_all);
-    }
-    if (command.edges.given()) {
-      runs.push_back({i % cores, tracing.trace(i % cores, edge_rays, show)});
-      continue;
-    }
-    const auto keep = [&](std::span<const sim::CoreAnswer> given) {
-      for (std::size_t ray = 0; file.wanted() && ray < given.size(); ++ray)
-        answers[i % cores].push_back({given[ray].hit, given[ray].failed, rays->triangles[ray]});
-      if (!draws || i % cores + 1 != cores) return;
-      const std::vector<glm::vec3> drawn = rays->drawn(given, tracing.of_picture({*part + 1, command.parts}));
-      picture.resize(drawn.size());
-      for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) picture[pixel] += drawn[pixel];
-    };
-    runs.push_back({i % cores, tracing.trace(i % cores, *rays, show, keep)});
-  }
-  if (file.wanted())
-    for (std::size_t core = 0; core < cores; ++core)
-      tracing.write(file, command.rays_in_flight[core], answers[core]);
-  Row notes = notes_of(parsed);
-  notes.update(tracing.traced().notes);
-  file.finish(notes);
-  return runs;
-}
-
 int trace_scene(TraceCommand command, const CLI::App& parsed) {
   command.traced.hierarchy.build.threads = command.traced.scene.threads;
   if (!command.rays.given() && !command.edges.given())
     check_parts(command,
                 ref::tile_count({.width = command.traced.scene.width, .height = command.traced.scene.height}),
                 "tiles");
-  std::vector<glm::vec3> picture;
-  std::string scene;
-  Row about;
   const auto piece = [&](host::Piece mine) {
-    const std::vector<CoreRun> runs = run(command, parsed, mine, picture, scene, about);
-    return kept_runs(runs, about);
+    const Found found = run(command, parsed, mine);
+    return kept_runs(found.runs, found.about);
   };
   const auto all = [&] {
-    const std::vector<CoreRun> runs = run(command, parsed, {}, picture, scene, about);
-    const bool right = report(runs, about, command.format);
+    const Found found = run(command, parsed, {});
+    const bool right = report(found.runs, found.about, command.format);
     if (right && !command.out.empty())
-      ref::write_image(picture_file(command, scene), command.traced.scene.width, command.traced.scene.height,
-                       picture);
+      ref::write_image(picture_file(command, found.scene), command.traced.scene.width,
+                       command.traced.scene.height, found.picture);
     return right ? 0 : 1;
   };
   return do_work({parsed, command.pieces, command.out, runs_of(command), "runs of cores"}, piece, all);

@@ -21,7 +21,7 @@ struct CoreTrace {
   std::uint64_t wrong = 0;     ///< answers that are not software's
   bool same_reads = true;      ///< as many records and triangles as in software
   std::uint64_t restarts = 0;  ///< of the walks in software
-  /// Of a core with questions: of the same rays, behind all others. No count above has them.
+  /// What a core with questions answered to them, asked by the same rays afterwards. The counts above leave that out.
   std::optional<QuestionTrace> questions{};
 
   /// Of the same core, with other rays.
