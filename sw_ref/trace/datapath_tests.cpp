@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "hls/pipelines/int_plucker.hpp"
-#include "rays/trace/int_major.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/trace/fp_slabs_safe.hpp"
 #include "sw_ref/trace/int_plucker.hpp"
@@ -47,30 +46,6 @@ void IntPluckerTest::set_end(const IntEndpoint& end) {
   constexpr std::int64_t beyond_all = std::int64_t{1} << 32;
   for (std::size_t i = 0; i < 3; ++i) {
     axes_[i].end = !end.infinite ? end.at[i] : axes_[i].minus ? -beyond_all : beyond_all;
-  }
-}
-
-MajorDistances::MajorDistances(const IntMajorRay& ray, const hls::MajorBits& bits)
-    : finer_(bits.finer),
-      fraction_(bits.fraction),
-      mantissa_(bits.mantissa - 1),
-      carry_(bits.slope > 0 ? 1 : 0),
-      least_(-(std::int64_t{1} << (bits.point() - 1))),
-      most_(-least_ - 1) {
-  for (std::size_t ray_axis = 0; ray_axis < 3; ++ray_axis) {
-    // In the integer world the operand is negated already.
-    const std::int64_t origin = ray.origin[ray_axis];
-    ray_axes_[ray_axis] = {static_cast<std::size_t>(ray.axes[ray_axis]),
-                           ray.backward[ray_axis] ? -1 : 0,
-                           bits.slope > 0 ? origin : -origin,
-                           1,
-                           1,
-                           0};
-    if (ray_axis == 0) continue;
-    const MajorQuotient& quotient = ray.quotient[ray_axis - 1];
-    ray_axes_[ray_axis].floor = quotient.mantissa_low;
-    ray_axes_[ray_axis].ceil = quotient.mantissa_high;
-    ray_axes_[ray_axis].exponent = quotient.exponent;
   }
 }
 

@@ -70,7 +70,8 @@ def proven_by(file, proven):
 
 def compile_alone(file):
     near = max(commands, key=lambda source: len(os.path.commonpath([source, file])))
-    given = [file] if file.endswith(".cpp") else ["-x", "c++", "-include", file, "/dev/null"]
+    # What a header includes may look for others beside that header.
+    given = [file] if file.endswith(".cpp") else [f"-I{os.path.dirname(file)}", "-x", "c++", "-include", file, "/dev/null"]
     if slow_headers(file):
         given = ["-include-pch", precompiled[slow_headers(file)], *given]
     run = subprocess.run([*flags(commands.get(file, commands[near])), "-fsyntax-only", *given], cwd=root, capture_output=True, text=True)
