@@ -8,21 +8,17 @@
 #include <string_view>
 #include <vector>
 
-#include "rays/files/file_mesh.hpp"
 #include "rays/mesh/mesh.hpp"
 #include "rays/scene/scene.hpp"
 
 namespace hitpipe::ref {
 
-/// What the file says. Throws std::runtime_error, one line that names the file, the place in it and what is
-/// allowed, if the file is missing, not a regular file, empty, cut short or malformed, or if it has an unknown
-/// extension, a coordinate that is not finite, or an index out of range.
-[[nodiscard]] FileMesh read_mesh_file(const std::filesystem::path& file);
-
 /// All triangles of a file in its own units: polygons are cut into triangles, faces of one or two corners are
 /// left out, equal positions are joined, and triangles without area are dropped and counted. At least one
-/// triangle remains. Throws as read_mesh_file() does, and if a polygon crosses itself, a coordinate is beyond
-/// binary32, or no triangle has an area.
+/// triangle remains. Throws std::runtime_error, one line that names the file, the place in it and what is allowed, if
+/// the file is missing, not a regular file, empty, cut short or malformed, if it has an unknown extension, a
+/// coordinate that is not finite or beyond binary32, or an index out of range, if a polygon crosses itself, or if no
+/// triangle has an area.
 [[nodiscard]] SourceMesh load_mesh(const std::filesystem::path& file);
 
 /// Consecutive triangles of a file that have one name and one material there; names may be empty.

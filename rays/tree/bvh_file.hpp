@@ -5,8 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "rays/mesh/aabb.hpp"
 #include "rays/mesh/mesh.hpp"
@@ -37,20 +41,28 @@ struct BvhFile {
   std::vector<FileNode> nodes;  ///< at least one; the first is the root
   std::vector<std::uint32_t> children;
   std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> from_root;  ///< all nodes, parents before children
 
-  /// Throws std::runtime_error, one line that names the file and the node's line.
-  [[noreturn]] void reject(const FileNode& node, const std::string& reason) const;
+  /// Throw std::runtime_error, one line that names the file, and the node and its line.
+  [[noreturn]] void reject(const std::string& reason) const;
+  template <class... Parts>
+  [[noreturn]] void reject(const FileNode& node, fmt::format_string<Parts...> reason,
+                           Parts&&... parts) const {
+    reject(fmt::format("line {}: node {} {}", node.line, number(node),
+                       fmt::format(reason, std::forward<Parts>(parts)...)));
+  }
   [[nodiscard]] std::uint32_t number(const FileNode& node) const {
     return static_cast<std::uint32_t>(&node - nodes.data());
   }
+  /// The triangles of a leaf or the children of a branch.
+  [[nodiscard]] std::span<std::uint32_t> entries(const FileNode& node) {
+    return std::span(node.is_leaf ? triangles : children).subspan(node.first, node.count);
+  }
 };
 
-/// One line for a file that is refused.
-[[nodiscard]] std::string of_bvh_file(const std::filesystem::path& file, const std::string& reason);
-
-/// Reads the words of the file: all boxes have numbers and are not inverted, children are nodes of the file,
-/// and a leaf's triangles are entries of the list. A leaf without triangles may have any box. Throws
-/// std::runtime_error, one line that names the file, the line, and what is allowed.
+/// Reads the words of the file: all boxes have numbers and are not inverted, the nodes are a tree, and each entry of
+/// the list of triangles is in one leaf. A leaf without triangles may have any box. Throws std::runtime_error, one
+/// line that names the file, the line, and what is allowed.
 [[nodiscard]] BvhFile read_bvh_file(const std::filesystem::path& file);
 
 /// The text of such a file, in the cube. Reading it gives the same hierarchy, bit for bit.

@@ -1,109 +1,42 @@
 #include "rays/tree/load_bvh.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <map>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "host/reject.hpp"
+#include "rays/scene/triangle_numbers.hpp"
 #include "rays/tree/bvh_file.hpp"
-#include "rays/tree/file_boxes.hpp"
+#include "rays/tree/triangle_cover.hpp"
 
 namespace hitpipe::ref {
 
 namespace {
 
-constexpr std::uint32_t no_parent = ~0U;
-
-std::span<const std::uint32_t> children_of(const BvhFile& file, const FileNode& node) {
-  if (node.is_leaf) return {};
-  return std::span(file.children).subspan(node.first, node.count);
-}
-
-std::vector<std::uint32_t> parents(const BvhFile& file) {
-  std::vector<std::uint32_t> parent(file.nodes.size(), no_parent);
-  for (const FileNode& node : file.nodes) {
-    for (const std::uint32_t child : children_of(file, node)) {
-      if (child == 0) file.reject(node, "has the root, node 0, as a child; that is a cycle");
-      if (parent[child] != no_parent)
-        file.reject(file.nodes[child],
-                    fmt::format("is a child of node {} and of node {}; it must be the child of one node",
-                                parent[child], file.number(node)));
-      parent[child] = file.number(node);
-    }
-  }
-  return parent;
-}
-
-/// A node that is not below the root has no parent, or the nodes above it are a cycle.
-[[noreturn]] void reject_lost(const BvhFile& file, const std::vector<std::uint32_t>& parent,
-                              const std::vector<bool>& found) {
-  const auto without = std::find(parent.begin() + 1, parent.end(), no_parent);
-  if (without != parent.end())
-    file.reject(file.nodes[static_cast<std::size_t>(without - parent.begin())],
-                "is the child of no node; only the root, node 0, may be");
-  const auto lost = static_cast<std::uint32_t>(std::find(found.begin(), found.end(), false) - found.begin());
-  std::vector<bool> seen(parent.size());
-  std::uint32_t node = lost;
-  for (; !seen[node]; node = parent[node]) seen[node] = true;
-  file.reject(file.nodes[node], "is below itself; that is a cycle");
-}
-
-/// All nodes, each before its children. Every node but the first must be the child of exactly one node, and
-/// below the first.
-std::vector<std::uint32_t> nodes_from_root(const BvhFile& file) {
-  const std::vector<std::uint32_t> parent = parents(file);
-  std::vector<bool> found(file.nodes.size());
-  std::vector<std::uint32_t> nodes{0};
-  nodes.reserve(file.nodes.size());
-  found[0] = true;
-  // Every node has one parent, so none is met twice.
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (const std::uint32_t child : children_of(file, file.nodes[nodes[i]])) {
-      found[child] = true;
-      nodes.push_back(child);
-    }
-  }
-  if (nodes.size() < file.nodes.size()) reject_lost(file, parent, found);
-  return nodes;
-}
-
-/// Every entry of the list of triangles must be in exactly one leaf.
-void check_leaf_ranges(const BvhFile& file) {
-  std::vector<bool> taken(file.triangles.size());
-  std::size_t total = 0;
-  for (const FileNode& node : file.nodes) {
-    if (!node.is_leaf) continue;
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (taken[i])
-        file.reject(node, fmt::format("takes entry {} of the list of triangles, which another leaf takes; "
-                                      "list a triangle twice if two leaves have it",
-                                      i));
-      taken[i] = true;
-    }
-    total += node.count;
-  }
-  if (total == taken.size()) return;
-  const auto left = std::find(taken.begin(), taken.end(), false) - taken.begin();
-  reject(of_bvh_file(file.path, fmt::format("no leaf takes entry {} of the list of triangles", left)));
+bool is_empty_leaf(const FileNode& node) {
+  return node.is_leaf && node.count == 0;
 }
 
 /// The box of a child must not reach out of its parent's by more than `tolerance`, in the file's space.
 /// Leaves without triangles may have any box.
-void check_child_boxes(const BvhFile& file, double tolerance) {
+void check_child_boxes(BvhFile& file, double tolerance) {
   for (const FileNode& node : file.nodes) {
-    for (const std::uint32_t number : children_of(file, node)) {
+    if (node.is_leaf) continue;
+    for (const std::uint32_t number : file.entries(node)) {
       const FileNode& child = file.nodes[number];
-      if (child.is_leaf && child.count == 0) continue;
+      if (is_empty_leaf(child)) continue;
       for (int axis = 0; axis < 3; ++axis) {
         const auto check = [&](const char* side, float inner, float outer, double out_by) {
           if (out_by <= tolerance) return;
-          file.reject(child, fmt::format("reaches out of its parent, node {}: {}.{} {}, of the parent {}",
-                                         file.number(node), side, "xyz"[axis], inner, outer));
+          file.reject(child, "reaches out of its parent, node {}: {}.{} {}, of the parent {}",
+                      file.number(node), side, "xyz"[axis], inner, outer);
         };
         const float low = child.box.min[axis];
         const float high = child.box.max[axis];
@@ -113,6 +46,191 @@ void check_child_boxes(const BvhFile& file, double tolerance) {
     }
   }
 }
+
+/// By how much a box may be too small, in the file's space. Two programs that read a coordinate from text may
+/// round it differently. So it is four units in the last place of the mesh's largest coordinate, and 0 in
+/// the cube.
+double box_tolerance(const BvhFile& file, const Scene& scene) {
+  if (file.space == FileSpace::cube) return 0.0;
+  Aabb mesh;
+  for (const glm::vec3& vertex : scene.mesh.vertices) mesh.grow(vertex);
+  double largest = 0.0;
+  for (const glm::vec3& corner : {mesh.min, mesh.max}) {
+    const glm::dvec3 own = glm::abs(scene.to_cube.to_own(glm::dvec3(corner)));
+    largest = std::max({largest, own.x, own.y, own.z});
+  }
+  constexpr double four_units = 0x1p-21;  // of binary32, relative to the lower end of a binade
+  return four_units * largest;
+}
+
+float rounded_down(double x) {
+  const auto nearest = static_cast<float>(x);
+  return double{nearest} <= x ? nearest : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
+}
+
+Aabb rounded_outward(const glm::dvec3& min, const glm::dvec3& max) {
+  Aabb box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min[axis] = rounded_down(min[axis]);
+    box.max[axis] = -rounded_down(-max[axis]);
+  }
+  return box;
+}
+
+/// Moves every box as the scene's points are moved, rounds it outward to binary32, and cuts it to the part of
+/// the cube in which the mesh lies. Boxes of the cube are taken as they are.
+void move_into_cube(BvhFile& file, const Scene& scene) {
+  for (FileNode& node : file.nodes) {
+    if (is_empty_leaf(node)) continue;
+    if (file.space == FileSpace::scene) {
+      constexpr auto bound = static_cast<float>(cube_bound);
+      const Aabb box = rounded_outward(scene.to_cube.to_cube(glm::dvec3(node.box.min)),
+                                       scene.to_cube.to_cube(glm::dvec3(node.box.max)));
+      node.box = {glm::clamp(box.min, -bound, bound), glm::clamp(box.max, -bound, bound)};
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      if (node.box.min[axis] >= -1.0F && node.box.max[axis] <= 1.0F) continue;
+      file.reject(node, "reaches from {} to {} along {}; boxes of space cube must lie within -1 and 1",
+                  node.box.min[axis], node.box.max[axis], "xyz"[axis]);
+    }
+  }
+}
+
+/// Replaces the file's numbers of triangles by the mesh's, leaves out dropped triangles, and then takes
+/// leaves without triangles out of their branches. Boxes that are too small by at most `tolerance`, in the
+/// cube, are grown. A triangle may stick out of its leaf if all its leaves together hold it.
+class Fit {
+ public:
+  Fit(BvhFile& file, const Scene& scene, double tolerance)
+      : file_(file),
+        scene_(scene),
+        numbers_(scene.mesh),
+        tolerance_(tolerance),
+        seen_(scene.mesh.triangles.size()),
+        grown_(file.nodes.size()) {}
+
+  /// Returns how many boxes were grown.
+  std::size_t run() {
+    for (FileNode& node : file_.nodes)
+      if (node.is_leaf) take_triangles(node);
+    const auto missing = std::find(seen_.begin(), seen_.end(), false);
+    if (missing != seen_.end())
+      file_.reject(fmt::format("triangle {} is in no leaf",
+                               numbers_.of_source(static_cast<std::uint32_t>(missing - seen_.begin()))));
+    if (!parted_.empty()) check_parted();
+    for (auto number = file_.from_root.rbegin(); number != file_.from_root.rend(); ++number)
+      if (!file_.nodes[*number].is_leaf) take_children(file_.nodes[*number]);
+    return static_cast<std::size_t>(std::count(grown_.begin(), grown_.end(), true));
+  }
+
+ private:
+  void set_box(FileNode& node, const Aabb& box) {
+    if (box.min == node.box.min && box.max == node.box.max) return;
+    grown_[file_.number(node)] = true;
+    node.box = box;
+  }
+
+  [[nodiscard]] Aabb bounds(std::uint32_t triangle) const {
+    const Mesh::Corners corners = scene_.mesh.corners(triangle);
+    Aabb box;
+    for (const glm::vec3& corner : {corners.a, corners.b, corners.c}) box.grow(corner);
+    return box;
+  }
+
+  /// Each face that is short of the triangle by at most the tolerance is moved to it.
+  [[nodiscard]] Aabb stretched(Aabb box, const Aabb& triangle) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float low = triangle.min[axis];
+      const float high = triangle.max[axis];
+      if (low < box.min[axis] && double{box.min[axis]} - low <= tolerance_) box.min[axis] = low;
+      if (high > box.max[axis] && double{high} - box.max[axis] <= tolerance_) box.max[axis] = high;
+    }
+    return box;
+  }
+
+  void take_triangles(FileNode& leaf) {
+    const std::span<std::uint32_t> entries = file_.entries(leaf);
+    leaf.count = 0;
+    for (const std::uint32_t source : entries) {
+      if (source >= numbers_.in_source())
+        file_.reject(leaf, "has triangle {}; the scene's are 0 to {}", source, numbers_.in_source() - 1);
+      const std::uint32_t triangle = numbers_.in_mesh(source);
+      if (triangle == TriangleNumbers::none) continue;
+      entries[leaf.count++] = triangle;
+      seen_[triangle] = true;
+      const Aabb needed = bounds(triangle);
+      set_box(leaf, stretched(leaf.box, needed));
+      if (!encloses(leaf.box, needed)) parted_[triangle];
+    }
+  }
+
+  /// Boxes that hold parts of triangles are grown by the tolerance, because their faces may have been
+  /// computed where an edge meets a plane.
+  void check_parted() {
+    for (const FileNode& node : file_.nodes) {
+      if (!node.is_leaf) continue;
+      for (const std::uint32_t triangle : file_.entries(node))
+        if (const auto found = parted_.find(triangle); found != parted_.end())
+          found->second.push_back(file_.number(node));
+    }
+    const bool may_grow = tolerance_ > 0.0;
+    std::set<std::uint32_t> all_leaves;
+    for (const auto& [triangle, leaves] : parted_) {
+      std::vector<Aabb> boxes;
+      for (const std::uint32_t leaf : leaves) boxes.push_back(file_.nodes[leaf].box);
+      if (!cover(boxes, scene_.mesh.corners(triangle), may_grow ? tolerance_ : -cover_error))
+        reject_uncovered(triangle, leaves);
+      all_leaves.insert(leaves.begin(), leaves.end());
+    }
+    if (!may_grow) return;
+    const double more = tolerance_ + cover_error;
+    for (const std::uint32_t number : all_leaves) {
+      FileNode& leaf = file_.nodes[number];
+      set_box(leaf, rounded_outward(glm::dvec3(leaf.box.min) - more, glm::dvec3(leaf.box.max) + more));
+    }
+  }
+
+  [[noreturn]] void reject_uncovered(std::uint32_t triangle, const std::vector<std::uint32_t>& leaves) const {
+    const Aabb needed = bounds(triangle);
+    const FileNode& leaf = file_.nodes[*std::find_if(leaves.begin(), leaves.end(), [&](std::uint32_t number) {
+      return !encloses(file_.nodes[number].box, needed);
+    })];
+    int axis = 0;
+    while (leaf.box.min[axis] <= needed.min[axis] && needed.max[axis] <= leaf.box.max[axis]) ++axis;
+    const bool is_min = needed.min[axis] < leaf.box.min[axis];
+    const auto own = [&](const Aabb& box) {
+      const float x = is_min ? box.min[axis] : box.max[axis];
+      return file_.space == FileSpace::cube ? double{x} : scene_.to_cube.to_own(glm::dvec3(x))[axis];
+    };
+    file_.reject(leaf, "does not hold triangle {}{}: {}.{} of the triangle is {:.7g}, of the box {:.7g}",
+                 numbers_.of_source(triangle),
+                 leaves.size() == 1 ? "" : ", and its other leaves do not hold the rest",
+                 is_min ? "min" : "max", "xyz"[axis], own(needed), own(leaf.box));
+  }
+
+  void take_children(FileNode& branch) {
+    const std::span<std::uint32_t> children = file_.entries(branch);
+    Aabb box = branch.box;
+    branch.count = 0;
+    for (const std::uint32_t number : children) {
+      const FileNode& child = file_.nodes[number];
+      if (child.count == 0) continue;
+      children[branch.count++] = number;
+      box.grow(child.box);
+    }
+    if (branch.count > 0) set_box(branch, box);
+  }
+
+  BvhFile& file_;
+  const Scene& scene_;
+  TriangleNumbers numbers_;
+  double tolerance_;
+  std::vector<bool> seen_;   // by triangle of the mesh
+  std::vector<bool> grown_;  // by node
+  /// Triangles that stick out of a leaf: all their leaves.
+  std::map<std::uint32_t, std::vector<std::uint32_t>> parted_;
+};
 
 class BinaryTree {
  public:
@@ -125,7 +243,7 @@ class BinaryTree {
     // The root is the one child of a range, as every other node is.
     const auto root = static_cast<std::uint32_t>(file_.children.size());
     file_.children.push_back(0);
-    visit({root, root + 1, 0, 1});
+    pending_.push_back({root, root + 1, 0, 1});
     while (!pending_.empty()) {
       const Pending at = pending_.back();
       pending_.pop_back();
@@ -141,52 +259,48 @@ class BinaryTree {
     std::uint32_t place;  ///< its index in the result
     int depth;            ///< its level; the root is 1
   };
-  struct Division {
-    std::uint32_t middle;
-    int axis;
-  };
 
   FileNode& node_of(std::uint32_t child) { return file_.nodes[file_.children[child]]; }
 
   void visit(Pending at) {
-    std::int8_t stated = FileNode::no_split;
-    Aabb box = node_of(at.first).box;
     const FileNode* node = &node_of(at.first);
     if (at.depth > BuildOptions::deepest)
-      file_.reject(*node, fmt::format("is on level {}, where branches have two children; at most {} levels "
-                                      "are allowed",
-                                      at.depth, BuildOptions::deepest));
+      file_.reject(*node, "is on level {}, where branches have two children; at most {} levels are allowed",
+                   at.depth, BuildOptions::deepest);
+    Aabb box;
+    int axis = FileNode::no_split;
     if (at.last - at.first == 1) {
       while (!node->is_leaf && node->count == 1) node = &node_of(node->first);
-      box = node->box;
       if (node->is_leaf) {
         put_leaf(at, *node);
         return;
       }
-      stated = node->split;
+      box = node->box;
+      axis = node->split;
       at.first = node->first;
       at.last = node->first + node->count;
     } else {
       for (std::uint32_t child = at.first; child < at.last; ++child) box.grow(node_of(child).box);
     }
-    const Division division = stated == FileNode::no_split ? divide(at) : Division{at.first + 1, int{stated}};
+    if (axis == FileNode::no_split) axis = sort(at);
+    const std::uint32_t middle = at.first + (at.last - at.first + 1) / 2;
     const auto child_0 = static_cast<std::uint32_t>(bvh_.nodes.size());
-    bvh_.nodes[at.place] = {padded(box), -1 - division.axis, child_0};
+    bvh_.nodes[at.place] = {padded(box), -1 - axis, child_0};
     bvh_.nodes.resize(bvh_.nodes.size() + 2);
-    pending_.push_back({division.middle, at.last, child_0 + 1, at.depth + 1});
-    pending_.push_back({at.first, division.middle, child_0, at.depth + 1});
+    pending_.push_back({middle, at.last, child_0 + 1, at.depth + 1});
+    pending_.push_back({at.first, middle, child_0, at.depth + 1});
   }
 
   void put_leaf(const Pending& at, const FileNode& leaf) {
     bvh_.depth = std::max(bvh_.depth, at.depth);
     bvh_.nodes[at.place] = {padded(leaf.box), static_cast<std::int32_t>(leaf.count),
                             static_cast<std::uint32_t>(bvh_.order.size())};
-    const auto first = file_.triangles.begin() + static_cast<std::ptrdiff_t>(leaf.first);
-    bvh_.order.insert(bvh_.order.end(), first, first + static_cast<std::ptrdiff_t>(leaf.count));
+    const std::span<const std::uint32_t> triangles = file_.entries(leaf);
+    bvh_.order.insert(bvh_.order.end(), triangles.begin(), triangles.end());
   }
 
-  /// Sorts children by the centres of their boxes, along the axis along which these lie farthest apart.
-  Division divide(const Pending& at) {
+  /// Sorts children by the centres of their boxes, along the axis along which these lie farthest apart; returns it.
+  int sort(const Pending& at) {
     Aabb centres;
     for (std::uint32_t child = at.first; child < at.last; ++child) centres.grow(centre(node_of(child)));
     const glm::vec3 spread = centres.max - centres.min;
@@ -198,7 +312,7 @@ class BinaryTree {
                      begin + static_cast<std::ptrdiff_t>(at.last), [&](std::uint32_t a, std::uint32_t b) {
                        return centre(file_.nodes[a])[axis] < centre(file_.nodes[b])[axis];
                      });
-    return {at.first + (at.last - at.first + 1) / 2, axis};
+    return axis;
   }
 
   static glm::vec3 centre(const FileNode& node) { return (node.box.min + node.box.max) * 0.5F; }
@@ -216,13 +330,11 @@ class BinaryTree {
 
 LoadedBvh load_bvh(const std::filesystem::path& path, const Scene& scene, float padding) {
   BvhFile file = read_bvh_file(path);
-  const std::vector<std::uint32_t> from_root = nodes_from_root(file);
-  check_leaf_ranges(file);
   const double tolerance = box_tolerance(file, scene);
   check_child_boxes(file, tolerance);
   move_into_cube(file, scene);
   LoadedBvh loaded;
-  loaded.boxes_grown = fit_to_triangles(file, scene, tolerance * scene.to_cube.scale, from_root);
+  loaded.boxes_grown = Fit(file, scene, tolerance * scene.to_cube.scale).run();
   loaded.bvh = BinaryTree(file, file.space == FileSpace::cube ? 0.0F : padding).make();
   return loaded;
 }

@@ -34,7 +34,7 @@ struct CoreOptions {
   int data_bits = 256;                          ///< of the AXI bus to memory: 64, 128, 256, 512
   bool in_order = false;                        ///< all requests on this bus have one identifier
   std::optional<int> clock_ps{};                ///< of the units; else that of the slowest machine
-  int block_rams = 0;  ///< the Verilog marks memories for so many block RAMs of 16 bits (block_rams.hpp)
+  int block_rams = 0;  ///< the Verilog marks memories for so many block RAMs of 16 bits
 
   // Of features. None has any of these.
   bool serial_triangle = false;

@@ -1,14 +1,56 @@
 // The top module of a core: an instance of each part, and wires between them.
+#include <algorithm>
 #include <cstddef>
+#include <map>
+#include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "rtl_gen/core/block_rams.hpp"
 #include "rtl_gen/core/core.hpp"
 #include "rtl_gen/part/assembly.hpp"
 
 namespace hitpipe::rtl {
+
+namespace {
+
+constexpr int block_ram_width = 16;  // as iCE40 has them
+
+struct Candidate {
+  std::string_view part;
+  const hls::MemoryShape* memory;
+
+  [[nodiscard]] int blocks() const { return (memory->width + block_ram_width - 1) / block_ram_width; }
+  [[nodiscard]] double bits_a_block() const {
+    return static_cast<double>(memory->words) * memory->width / blocks();
+  }
+};
+
+/// Names of memories by part, in at most so many block RAMs: those first that fill a block RAM best. Yosys leaves a
+/// memory of a few words to registers, and a core for a small chip has more of these than the chip. Lookup memories
+/// are left out, since a block RAM gives its word a cycle later.
+std::map<std::string_view, std::set<std::string>> in_block_rams(const Core& core, int most) {
+  std::vector<Candidate> candidates;
+  for (const Part& part : core.parts) {
+    if (!part.graph) continue;
+    for (const hls::MemoryShape& memory : part.graph->memories)
+      if (memory.is_late()) candidates.push_back({part.name, &memory});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return a.bits_a_block() > b.bits_a_block();
+  });
+  std::map<std::string_view, std::set<std::string>> chosen;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.blocks() > most) continue;
+    most -= candidate.blocks();
+    chosen[candidate.part].insert(candidate.memory->name);
+  }
+  return chosen;
+}
+
+}  // namespace
 
 Assembly assembly_of(const Core& core) {
   Assembly made{core.interface(), core.parts, {}};

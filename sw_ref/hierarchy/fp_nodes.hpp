@@ -19,7 +19,7 @@ class FpNodes {
   const std::size_t bytes_per_node;
   [[nodiscard]] static std::size_t node_bytes(const hls::FpBits& bits);
 
-  /// `bvh` needs at least one node; its data is copied. Throws as round_boxes() does.
+  /// `bvh` needs at least one node; its data is copied. Throws as round_box() does.
   FpNodes(const Bvh& bvh, const hls::FpBits& bits);
 
   [[nodiscard]] Node root() const { return 0; }

@@ -79,12 +79,4 @@ Aabb round_box(const Aabb& box, const hls::FpBits& bits) {
   return rounding.outward(box);
 }
 
-void round_boxes(std::span<const Aabb> boxes, const hls::FpBits& bits, std::span<Aabb> out) {
-  const FpRounding rounding(bits);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    check_within_cube(boxes[i]);
-    out[i] = rounding.outward(boxes[i]);
-  }
-}
-
 }  // namespace hitpipe::ref

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "hls/box/fp_format.hpp"
 #include "rays/mesh/aabb.hpp"
@@ -37,7 +36,5 @@ class FpRounding {
 /// Throws std::out_of_range if a coordinate is not in [-1, 1], and std::invalid_argument for a format that
 /// there is not.
 [[nodiscard]] Aabb round_box(const Aabb& box, const hls::FpBits& bits);
-/// The same for many boxes. `out` has as many places as `boxes`.
-void round_boxes(std::span<const Aabb> boxes, const hls::FpBits& bits, std::span<Aabb> out);
 
 }  // namespace hitpipe::ref
