@@ -1,5 +1,5 @@
-// The price of parts that are joined: of each machine and unit of a core, of the machines of its bus, and their sum. Bits
-// of memories are apart, as those of a machine.
+// The price of parts that are joined: of each machine and unit of a core, of the machines of its bus, and their sum.
+// Bits of memories are apart, as those of a machine.
 #pragma once
 
 #include <cstdint>

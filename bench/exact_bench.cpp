@@ -1,7 +1,7 @@
 // The exact arithmetic of sw_ref on random input with a fixed seed: box referee (filtered, and integers
-// only), triangle test on small triangles (one test in four and one in 28 is a hit), distances and weights of hits, box quantisation,
-// integer ray set-up, and the length of a shortened ray. One item is one test or one set-up. The data fit the
-// first cache levels.
+// only), triangle test on small triangles (one test in four and one in 28 is a hit), distances and weights of hits, box
+// quantisation, integer ray set-up, and the length of a shortened ray. One item is one test or one set-up. The data fit
+// the first cache levels.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "rays/exact/box_referee.hpp"
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/world/int_box.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 

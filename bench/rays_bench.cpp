@@ -1,8 +1,8 @@
 // What a user of the library gets beside Embree 3, as tables in markdown: rays a second and builds through the C
 // interface (<hitpipe/scene.h>), on one thread. Embree is asked by rtcIntersect1, which gives t, u, v and the normal,
-// in robust mode with AVX2. Primary rays are those of 512 x 512 pixels; from each hit one diffuse ray leaves by the cosine
-// of the angle to the plane of the triangle. All trace the same binary32 rays, and take turns, so that all see the same
-// moods of the machine; the median of their turns counts, in processor time.
+// in robust mode with AVX2. Primary rays are those of 512 x 512 pixels; from each hit one diffuse ray leaves by the
+// cosine of the angle to the plane of the triangle. All trace the same binary32 rays, and take turns, so that all see
+// the same moods of the machine; the median of their turns counts, in processor time.
 //   rays_bench [SCENE[*N]...]      each triangle cut in four, N times; HITPIPE_BENCH_REPEATS=n
 #include <algorithm>
 #include <cmath>

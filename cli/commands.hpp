@@ -1,5 +1,5 @@
-// The commands in the order of the help, each with what a user wants of it; the help lists none without. To add one, add its line here and
-// write commands/NAME_command.cpp.
+// The commands in the order of the help, each with what a user wants of it; the help lists none without. To add one,
+// add its line here and write commands/NAME_command.cpp.
 #pragma once
 
 #include <CLI/CLI.hpp>

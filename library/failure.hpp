@@ -26,7 +26,8 @@ class Refusal : public std::runtime_error {
 /// Keeps the line for hitpipe_error(). Returns the status.
 hitpipe_status failed(hitpipe_status status, const char* line) noexcept;
 
-/// What a call of this thread looks at: throws a Refusal if the thread's hitpipe_watch ends it. Empty: the thread has none.
+/// What a call of this thread looks at: throws a Refusal if the thread's hitpipe_watch ends it. Empty: the thread has
+/// none.
 std::function<void()> look_of_thread();
 
 /// Runs a call of the interface, in the arithmetic that answers are defined in.

@@ -29,8 +29,8 @@ struct CheckedMesh {
 /// Takes the mesh and the points into the cube. Throws a Refusal if all are in one place.
 [[nodiscard]] ref::Normalisation fitted(const ref::Mesh& mesh, std::span<const glm::dvec3> points = {});
 
-/// Each corner is rounded to binary32, as hitpipe_to_cube_ray() does with an origin. Throws a Refusal that names the first
-/// corner outside.
+/// Each corner is rounded to binary32, as hitpipe_to_cube_ray() does with an origin. Throws a Refusal that names the
+/// first corner outside.
 void move_into_cube(CheckedMesh& own, const ref::Normalisation& transform);
 
 }  // namespace hitpipe::library

@@ -17,7 +17,7 @@
 #include "library/failure.hpp"
 #include "library/mesh.hpp"
 #include "library/transform.hpp"
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/scene/triangle_numbers.hpp"
 #include "rays/tree/refit.hpp"
 #include "rays/world/to_cube.hpp"

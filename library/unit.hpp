@@ -9,7 +9,7 @@
 #include "hitpipe/ref.h"
 #include "rays/mesh/ray.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 
 struct hitpipe_unit {
   /// Throws what make_box_test() throws of a design that tests boxes.

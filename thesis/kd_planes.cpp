@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "sw_ref/render/recording.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "thesis/proposals.hpp"

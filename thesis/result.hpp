@@ -28,8 +28,8 @@ struct ResultRow {
   std::vector<std::string> labels;             ///< one for each of ResultTable::labels
   std::vector<std::optional<double>> ours;     ///< one a column; nothing: not measured
   std::vector<std::optional<double>> printed;  ///< one a column; nothing: not printed
-  /// 95 %, of ours, by the spread among the tiles of the image, of times by the order of the runs. One a column, or none
-  /// at all; nothing: not from a sample of rays, or from too few runs.
+  /// 95 %, of ours, by the spread among the tiles of the image, of times by the order of the runs. One a column, or
+  /// none at all; nothing: not from a sample of rays, or from too few runs.
   std::vector<std::optional<Interval>> intervals{};
   std::optional<std::size_t> unit{};  ///< the column that is 1 by definition, and so is not judged
 };

@@ -24,7 +24,7 @@
 #include "hls/num/bits.hpp"
 #include "host/text.hpp"
 #include "sim/check/shares.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 #include "sim/unit/drive.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 

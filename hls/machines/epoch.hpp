@@ -1,5 +1,5 @@
-// The number of the present epoch of a core's bus. A hard reset may come while reads are on their way. What they give has
-// the epoch before, and is dropped. So no reset sets it: each one counts it on.
+// The number of the present epoch of a core's bus. A hard reset may come while reads are on their way. What they give
+// has the epoch before, and is dropped. So no reset sets it: each one counts it on.
 #pragma once
 
 #include "hls/box/format.hpp"

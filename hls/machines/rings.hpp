@@ -2,9 +2,9 @@
 // rays behind those that are there, and says how many it has offered in all. The machine reads them, four at a time if
 // there are so many, and gives them to the core. It writes the answers in the order in which they come, four at a
 // time, or fewer when no other answer has come for some time. It says how many are in memory.
-// Counts go round at 2^16. A ring has 2^k places; the host offers no more rays than have room, so answers have room too.
-// If it offers more, or takes some back, no further ray is read. If an answer could not be written, none is written after it, and no ray
-// is read: the answers that are said to be in memory end before it. A reset ends both.
+// Counts go round at 2^16. A ring has 2^k places; the host offers no more rays than have room, so answers have room
+// too. If it offers more, or takes some back, no further ray is read. If an answer could not be written, none is
+// written after it, and no ray is read: the answers that are said to be in memory end before it. A reset ends both.
 //   a ray      32 bytes: ox, oy, oz, dx, dy, dz, length as binary32, then 3 bytes of the tag, and a byte with 1 for any
 //              hit, else 0
 //   an answer  16 bytes: the triangle's number in 4, 3 bytes of the tag, a byte that says why it has failed, and T in 8
@@ -225,8 +225,8 @@ struct Rings {
     next.where(begins)[fetch_place] = place_of_ray<D>(now, in);
     next.where(begins)[fetches_four] = four;
   }
-  /// Looks at what is offered, in the cycle after. The host has taken answers that are in memory, no others, so more rays
-  /// than places without one have no room. Says whether no more are read.
+  /// Looks at what is offered, in the cycle after. The host has taken answers that are in memory, no others, so more
+  /// rays than places without one have no room. Says whether no more are read.
   template <class D>
   static constexpr typename D::bit accept(const auto& now, const auto& in, const auto& next) {
     using Bit = typename D::bit;

@@ -1,9 +1,9 @@
 // Ties of rays that want crossings (docs/integer_world.md, Exactly once). A hit at an edge or a corner of a triangle
 // counts if the ray still meets it after a move by eps along slot a and eps^2 along slot b. The unit settles that: the
-// same triangle is tested again with the origin moved along slot a, by one unit up or down. A number that was 0, of u, v
-// and e0, is now what the move has added to it. If it has the wrong sign the tie does not count; where it is 0 still, a
-// test with the origin moved along slot b says. A tie that counts is tested once more as the ray is, and that test is a
-// hit. All other tests pass: each test leaves one cycle after it has come.
+// same triangle is tested again with the origin moved along slot a, by one unit up or down. A number that was 0, of u,
+// v and e0, is now what the move has added to it. If it has the wrong sign the tie does not count; where it is 0 still,
+// a test with the origin moved along slot b says. A tie that counts is tested once more as the ray is, and that test is
+// a hit. All other tests pass: each test leaves one cycle after it has come.
 #pragma once
 
 #include "hls/machines/channels.hpp"

@@ -5,7 +5,8 @@
 //   F  bits of a distance T below the unit of the origin's grid, 0..8; 0 unless it is given
 //   B  1: a triangle unit gives the numbers from which the weights of the corners are made; 0 unless it is
 //   given
-//   C  what a triangle unit says of crossings, 0 unless it is given. 1: which hits are ties; 2: which hits count; both give
+//   C  what a triangle unit says of crossings, 0 unless it is given. 1: which hits are ties; 2: which hits count; both
+// give
 //   the side too. 3: which hits are ties, and of any test which of u, v and e0 are 0, and which are inside
 #pragma once
 

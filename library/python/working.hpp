@@ -9,8 +9,8 @@
 
 namespace hitpipe::python {
 
-/// While it lives, other threads have the interpreter. In the main thread, the only one that gets signals, a signal whose
-/// handler raises ends the call: check() throws, and what was raised is Python's error.
+/// While it lives, other threads have the interpreter. In the main thread, the only one that gets signals, a signal
+/// whose handler raises ends the call: check() throws, and what was raised is Python's error.
 class Working {
  public:
   Working() {

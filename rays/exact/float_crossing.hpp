@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/mesh/mesh.hpp"
 #include "rays/mesh/ray.hpp"
 

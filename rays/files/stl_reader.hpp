@@ -15,8 +15,9 @@ namespace hitpipe::ref {
 /// attributes are skipped too.
 ///
 /// Words of a text have any case, and white space may be anywhere. It may have several solids; each is a
-/// group. A name goes to the end of its line, or to the facet or solid that follows it there. Facet normals must be numbers, but are not used. Throws std::runtime_error, one line without the
-/// file's name, for a file that is cut short, other words, and coordinates that are not finite.
+/// group. A name goes to the end of its line, or to the facet or solid that follows it there. Facet normals must be
+/// numbers, but are not used. Throws std::runtime_error, one line without the file's name, for a file that is cut
+/// short, other words, and coordinates that are not finite.
 [[nodiscard]] FileMesh read_stl(std::string_view bytes);
 
 }  // namespace hitpipe::ref

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 
 namespace hitpipe::ref {
 

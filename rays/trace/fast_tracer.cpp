@@ -2,7 +2,7 @@
 
 #include "rays/trace/fast_scene.hpp"
 #include "rays/trace/float_sinks.hpp"
-#include "rays/trace/leaf_test.hpp"
+#include "rays/trace/leaf.hpp"
 
 namespace hitpipe::ref {
 

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cstddef>
 
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/exact/float_crossing.hpp"
-#include "rays/exact/triangle_test.hpp"
 #include "rays/trace/fast_walk.hpp"
 
 namespace hitpipe::ref {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "rays/trace/int_box_tests.hpp"
-#include "rays/trace/leaf_test.hpp"
+#include "rays/trace/leaf.hpp"
 #include "rays/world/int_boxes.hpp"
 
 namespace hitpipe::ref {

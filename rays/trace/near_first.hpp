@@ -109,7 +109,8 @@ enum class AfterLeaf : std::uint8_t { same, shorter, stop };
 
 /// Walks over the nodes that the ray may meet. `visitor.branch(number, children)` is told of each branch;
 /// `visitor.leaf(first, count)` tests the triangles of a leaf, and `visitor.length()` is the length to which
-/// they have shortened the ray. It is inlined: children keep what they have set up in registers. `axis_class`: of direction_class(), or nothing to go by distance.
+/// they have shortened the ray. It is inlined: children keep what they have set up in registers. `axis_class`: of
+/// direction_class(), or nothing to go by distance.
 template <class Children, class Visitor>
 [[gnu::always_inline]] inline void walk_near_first(Children& children, Visitor& visitor, float length,
                                                    [[maybe_unused]] const unsigned* axis_class = nullptr) {

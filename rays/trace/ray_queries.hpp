@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hls/world/world_format.hpp"
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/mesh/mesh.hpp"
 #include "rays/mesh/ray.hpp"
 #include "rays/trace/crossing_count.hpp"

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "hls/box/int_format.hpp"
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/mesh/mesh.hpp"
 #include "rays/mesh/ray.hpp"
 #include "rays/tree/bvh.hpp"

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/mesh/mesh.hpp"
 #include "rays/mesh/ray.hpp"
 
@@ -51,8 +51,8 @@ struct alignas(64) TrianglePack {
 /// than 2^-147 |side|_max + 2^-148. With corners up to 2^25 and |d|_1 reach up to 2^90 nothing overflows; for others
 /// nothing is discarded.
 ///
-/// The ray may be a rounded one, its direction by u of each component and its origin by u reach. That is a rounding more
-/// of the row d and 2 u |d|_1 reach |side|_max for the origin: 18 in place of 14, so a reach of half as much again
+/// The ray may be a rounded one, its direction by u of each component and its origin by u reach. That is a rounding
+/// more of the row d and 2 u |d|_1 reach |side|_max for the origin: 18 in place of 14, so a reach of half as much again
 /// covers both.
 template <class Lanes>
 class TriangleFilter {

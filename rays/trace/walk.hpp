@@ -13,9 +13,9 @@
 #include <span>
 #include <utility>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/trace/child_order.hpp"
-#include "rays/trace/leaf_test.hpp"
+#include "rays/trace/leaf.hpp"
 #include "rays/tree/bvh.hpp"
 #include "rays/world/pair_nodes.hpp"
 

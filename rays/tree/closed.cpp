@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/scene/triangle_numbers.hpp"
 #include "rays/tree/bvh.hpp"
 

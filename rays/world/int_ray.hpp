@@ -28,7 +28,8 @@ struct IntRay {
 /// finite or zero, for a length that is negative or NaN, and for a format that does not exist.
 [[nodiscard]] IntRay int_ray(const Ray& ray, const hls::WorldBits& bits);
 
-/// A ray of which int_ray() makes this one. It has no end; S is at most 23, and n+g at most 25, else it is one beside it.
+/// A ray of which int_ray() makes this one. It has no end; S is at most 23, and n+g at most 25, else it is one beside
+/// it.
 [[nodiscard]] Ray binary32_ray(const IntRay& ray, const hls::WorldBits& bits);
 
 /// The same ray as operands of a unit with a major axis in the integer world: `bits` is n+g/pfFsS with the n,

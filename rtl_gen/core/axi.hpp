@@ -1,6 +1,6 @@
-// A core behind AXI (docs/core.md): the module MODULE_axi has the core, its registers and what its bus needs. The host writes
-// and reads registers by AXI4-Lite, and the core reads blocks by AXI4. Rays come and answers leave by AXI4-Stream, unless a
-// feature has another way.
+// A core behind AXI (docs/core.md): the module MODULE_axi has the core, its registers and what its bus needs. The host
+// writes and reads registers by AXI4-Lite, and the core reads blocks by AXI4. Rays come and answers leave by
+// AXI4-Stream, unless a feature has another way.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// A core behind AXI while its features build it (feature.hpp): pins, machines around the core, and what joins them. Names
-// are those of parts and pins; the part "" is the wrapper itself.
+// A core behind AXI while its features build it (feature.hpp): pins, machines around the core, and what joins them.
+// Names are those of parts and pins; the part "" is the wrapper itself.
 #pragma once
 
 #include <cstdint>
@@ -69,8 +69,8 @@ class AxiPlan {
   void join_burst(const std::string& channel, Source length, int beat_bytes);
   [[nodiscard]] bool is_joined(std::string_view part, std::string_view pin) const;
 
-  /// An input of a part that nothing drives gets the output of another part that has its name. Throws std::logic_error, a
-  /// line for each, when verify() finds something.
+  /// An input of a part that nothing drives gets the output of another part that has its name. Throws std::logic_error,
+  /// a line for each, when verify() finds something.
   Assembly made() &&;
 
   const Core& core;

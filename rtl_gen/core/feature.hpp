@@ -1,6 +1,7 @@
-// A feature is what a core may have or not: a cache, rays from memory, questions. All that is particular to it stands in
-// one value: how a user chooses it, what it changes in the core, what registers, header and harness say of it. Whatever
-// is written of a core goes through the features that it has, and names none. docs/features.md shows how to add one.
+// A feature is what a core may have or not: a cache, rays from memory, questions. All that is particular to it stands
+// in one value: how a user chooses it, what it changes in the core, what registers, header and harness say of it.
+// Whatever is written of a core goes through the features that it has, and names none. docs/features.md shows how to
+// add one.
 #pragma once
 
 #include <cstdint>
@@ -60,7 +61,8 @@ void put_number(CoreOptions& options, int value) {
 /// they go together. Their fields are those of hls/machines/register_table.hpp that have a number in each core.
 class CoreIdentity {
  public:
-  /// Throws std::logic_error for a name that no field has, for one that was put, and for a number that has too many bits.
+  /// Throws std::logic_error for a name that no field has, for one that was put, and for a number that has too many
+  /// bits.
   void put(std::string_view field, int number);
   /// Throws std::logic_error if a field was not put.
   void check() const;
@@ -94,8 +96,8 @@ struct Failure {
   std::string_view what, shows;
 };
 
-/// What is promised of a feature. A proof of a machine shows it (tests/formal/prove_machines.sh) and finds damage of its
-/// Verilog. Or only a test shows it.
+/// What is promised of a feature. A proof of a machine shows it (tests/formal/prove_machines.sh) and finds damage of
+/// its Verilog. Or only a test shows it.
 struct Promise {
   struct Damage {
     std::string_view change;  ///< an expression of sed
@@ -133,8 +135,8 @@ struct Feature {
   std::string_view c_constant{};
   int (*c_value)(const CoreOptions& options) = nullptr;
   CHeaderPart (*c_header)(const Core& core) = nullptr;
-  /// What the harness does for it: "float_door" is struct FloatDoor of rtl_gen/core/harness/float_door.hpp. The other one
-  /// stands in its place in a core without the feature.
+  /// What the harness does for it: "float_door" is struct FloatDoor of rtl_gen/core/harness/float_door.hpp. The other
+  /// one stands in its place in a core without the feature.
   std::string_view harness{}, harness_otherwise{};
   // For readers (docs/core.md, docs/formal.md).
   std::vector<Failure> failures{};

@@ -1,5 +1,5 @@
-// The block picture of parts that are joined as Graphviz text: machines with the bits of their memories, units with their
-// latencies, the bits between them, and the module's own pins.
+// The block picture of parts that are joined as Graphviz text: machines with the bits of their memories, units with
+// their latencies, the bits between them, and the module's own pins.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// What a core is made of before its parts are scheduled: parts, what joins them, and pins. It is data. The base core fills
-// it (base.cpp), and each feature that the core has changes it (feature.hpp).
+// What a core is made of before its parts are scheduled: parts, what joins them, and pins. It is data. The base core
+// fills it (base.cpp), and each feature that the core has changes it (feature.hpp).
 #pragma once
 
 #include <algorithm>

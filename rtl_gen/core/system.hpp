@@ -20,7 +20,8 @@ struct CoreScene {
     /// Of the nearest triangle, or the next one that is crossed; without one all ones, and the ray's length. Of count
     /// the answer.
     std::uint64_t number, t;
-    /// The halves of |det|, |u| and |v|, the high half first, if the core gives weights. They mean nothing without a hit.
+    /// The halves of |det|, |u| and |v|, the high half first, if the core gives weights. They mean nothing without a
+    /// hit.
     std::vector<std::uint64_t> weights{};
     std::uint64_t records = 0, triangles = 0;  ///< blocks that the ray reads
   };

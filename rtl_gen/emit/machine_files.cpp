@@ -7,7 +7,7 @@
 #include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
-#include "rtl_gen/machine/cycle_test.hpp"
+#include "rtl_gen/machine/cycle_bench.hpp"
 #include "rtl_gen/machine/picture.hpp"
 #include "rtl_gen/part/part.hpp"
 

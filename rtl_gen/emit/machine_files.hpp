@@ -1,4 +1,5 @@
-// A machine as files: Verilog, manifest, FuseSoC core, and a testbench that compares outputs and registers in every cycle.
+// A machine as files: Verilog, manifest, FuseSoC core, and a testbench that compares outputs and registers in every
+// cycle.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 
 #include "host/files.hpp"
 #include "rtl_gen/component/library.hpp"
-#include "rtl_gen/machine/cycle_test.hpp"
+#include "rtl_gen/machine/cycle_bench.hpp"
 #include "rtl_gen/machine/machine.hpp"
 
 namespace hitpipe::rtl {
@@ -34,8 +35,8 @@ struct MachineFilesOptions {
   std::uint64_t seed = 1;
 };
 
-/// MODULE.v, MODULE.json, MODULE.core, MODULE.dot, tb/MODULE_tb.sv, tb/MODULE_vectors.hex, tb/Makefile. The same bytes for
-/// the same arguments. Throws as Machine::graph() and longest_path() do.
+/// MODULE.v, MODULE.json, MODULE.core, MODULE.dot, tb/MODULE_tb.sv, tb/MODULE_vectors.hex, tb/Makefile. The same bytes
+/// for the same arguments. Throws as Machine::graph() and longest_path() do.
 [[nodiscard]] std::vector<host::File> machine_files(const Machine& machine, const Format& format,
                                                     const Library& library,
                                                     const MachineFilesOptions& options = {});

@@ -1,6 +1,6 @@
-// Parts that are joined: a core, and a core behind its bus. Every bit of an input is said to come from a bit of an output,
-// of the module's own inputs, or to be constant. Verilog, picture and the software that runs cycle by cycle are made from
-// this value, and verify() says what is not driven.
+// Parts that are joined: a core, and a core behind its bus. Every bit of an input is said to come from a bit of an
+// output, of the module's own inputs, or to be constant. Verilog, picture and the software that runs cycle by cycle are
+// made from this value, and verify() says what is not driven.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/check/shares.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/interval.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/scene/triangle_numbers.hpp"
 #include "rays/trace/tracer.hpp"
 #include "sim/cosim/cosim.hpp"

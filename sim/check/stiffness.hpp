@@ -11,7 +11,7 @@
 
 #include "rays/tree/bvh.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 #include "sw_ref/judge/interval.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/check/shares.hpp"
-#include "sim/software/triangle_test.hpp"
+#include "sim/software/triangle_software.hpp"
 #include "sw_ref/world/int_cases.hpp"
 
 namespace hitpipe::sim {

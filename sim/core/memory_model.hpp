@@ -75,8 +75,8 @@ struct MemoryAnswer {
 /// cycle c with latency n is answered in cycle c + n or later: in that cycle the core sees the answer. There
 /// is at most one answer in a cycle, the one that was ready first, and of two the older request.
 ///
-/// Memory gives one block in `interval` cycles, with a cache one line in `line_interval`, and later by what rows take. It
-/// gives first what is ready first, or with in_order what was asked for first. A line enters the cache when
+/// Memory gives one block in `interval` cycles, with a cache one line in `line_interval`, and later by what rows take.
+/// It gives first what is ready first, or with in_order what was asked for first. A line enters the cache when
 /// memory gives it, and all requests that wait for it are then ready. A hit takes no time of the memory.
 ///
 /// Behind the image's end all blocks are zero; to a cache they are one line. The same options and requests

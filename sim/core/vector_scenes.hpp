@@ -53,8 +53,8 @@ struct Traced {
 [[nodiscard]] Traced traced(const rtl::CoreOptions& options, std::uint32_t triangles,
                             const std::function<ref::IntScene(std::uint32_t)>& make);
 
-/// With a hierarchy in which each branch has a leaf and the next branch, and the last two leaves. It has so many branches,
-/// or as many as the triangles allow.
+/// With a hierarchy in which each branch has a leaf and the next branch, and the last two leaves. It has so many
+/// branches, or as many as the triangles allow.
 [[nodiscard]] ref::IntScene chained(ref::IntScene scene, int branches, ref::adversary::Random& random);
 
 /// A triangle gets the number that is made of its own. The header stays.

@@ -14,7 +14,7 @@
 
 #include "host/per_thread.hpp"
 #include "rays/trace/int_tracer.hpp"
-#include "rays/trace/leaf_test.hpp"
+#include "rays/trace/leaf.hpp"
 #include "sim/cosim/counts.hpp"
 #include "sim/cosim/divider_station.hpp"
 #include "sim/cosim/run_rays.hpp"

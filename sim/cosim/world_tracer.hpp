@@ -9,7 +9,7 @@
 #include "rays/trace/tracer.hpp"
 #include "rays/world/int_scene.hpp"
 #include "sim/cosim/counts.hpp"
-#include "sim/software/triangle_test.hpp"
+#include "sim/software/triangle_software.hpp"
 #include "sim/unit/verilated_design.hpp"
 
 namespace hitpipe::sim {

@@ -10,7 +10,7 @@
 #include "sim/designs/set_up_feed.hpp"
 #include "sim/software/place_of_result.hpp"
 #include "sim/software/software.hpp"
-#include "sim/software/triangle_test.hpp"
+#include "sim/software/triangle_software.hpp"
 
 namespace hitpipe::sim {
 

@@ -23,7 +23,7 @@
 
 #include "hls/num/fp.hpp"
 #include "host/format.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 #include "sim/software/feed.hpp"
 
 namespace hitpipe::sim {

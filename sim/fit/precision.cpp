@@ -91,7 +91,8 @@ struct Step {
   std::ptrdiff_t groups, formats;
 };
 
-/// To neighbours, and two groups on: a group may differ from the next in little. With `far_groups` and `far_formats` they are followed by all formats that are so near.
+/// To neighbours, and two groups on: a group may differ from the next in little. With `far_groups` and `far_formats`
+/// they are followed by all formats that are so near.
 std::vector<Step> steps_to(std::ptrdiff_t far_groups, std::ptrdiff_t far_formats) {
   std::vector<Step> steps{{0, 1}, {0, -1}, {1, 0}, {-1, 0}, {2, 0}, {-2, 0}};
   for (std::ptrdiff_t group = -far_groups; group <= far_groups; ++group)

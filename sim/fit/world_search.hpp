@@ -19,10 +19,10 @@ namespace hitpipe::sim {
 /// No picture of a comparison has a longer side.
 inline constexpr int most_compared_side = 512;
 
-/// All that were compared, one of them taken: the fewest bits of a corner with one finer bit of origins and as many bits
-/// of a slope. Then no finer bit, and fewer bits of a slope, if the error allows it. Pictures have as many pixels as
-/// rays_that_tell(), in the shape of the options' picture. If the largest has too few, no ray of it may differ. Throws
-/// std::runtime_error, one line, when no bits keep to the error.
+/// All that were compared, one of them taken: the fewest bits of a corner with one finer bit of origins and as many
+/// bits of a slope. Then no finer bit, and fewer bits of a slope, if the error allows it. Pictures have as many pixels
+/// as rays_that_tell(), in the shape of the options' picture. If the largest has too few, no ray of it may differ.
+/// Throws std::runtime_error, one line, when no bits keep to the error.
 [[nodiscard]] std::vector<TriedWorld> search_world(const std::vector<ref::Scene>& scenes,
                                                    const CoreFitOptions& options);
 

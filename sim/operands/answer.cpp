@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/scene/triangle_numbers.hpp"
 #include "rays/world/int_ray.hpp"
 #include "rays/world/int_triangle.hpp"

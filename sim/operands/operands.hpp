@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "sim/operands/test_text.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 
 namespace hitpipe::sim {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "host/parallel.hpp"
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 
 namespace hitpipe::sim {
 

@@ -16,9 +16,9 @@
 #include "rays/trace/tracer.hpp"
 #include "rays/world/coarse_axes.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 #include "sim/software/feed.hpp"
-#include "sim/software/triangle_test.hpp"
+#include "sim/software/triangle_software.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/scene_demands.hpp"
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "rays/trace/int_tracer.hpp"
-#include "rays/trace/leaf_test.hpp"
+#include "rays/trace/leaf.hpp"
 #include "rays/world/int_triangle.hpp"
 #include "sw_ref/trace/int_major_pair.hpp"
 #include "sw_ref/trace/trail_walk.hpp"

@@ -26,8 +26,8 @@ struct Share {
   [[nodiscard]] Interval percent_interval() const;
 };
 
-/// The median of measured values, and its interval by their order alone, which needs no law of their spread. It has 95 % or
-/// more; fewer than six values have none.
+/// The median of measured values, and its interval by their order alone, which needs no law of their spread. It has 95
+/// % or more; fewer than six values have none.
 struct Middle {
   double median = 0;
   std::optional<Interval> interval{};
@@ -76,8 +76,8 @@ class GroupedRatio {
   double product_ = 0;
 };
 
-/// Work above that of a reference, in percent of the reference's. Cases come in groups, such as the rays of one pixel; the
-/// groups are independent, the cases of a group are not.
+/// Work above that of a reference, in percent of the reference's. Cases come in groups, such as the rays of one pixel;
+/// the groups are independent, the cases of a group are not.
 class ExtraWork {
  public:
   /// What a group took, and what it takes in the reference.
@@ -87,8 +87,8 @@ class ExtraWork {
   /// 0 when there is no group.
   [[nodiscard]] double percent() const;
   /// 95 %; nothing from less than two groups. While no group takes less than its reference, the spread grows with the
-  /// extra work, as that of a count does. So it is a score interval, whose low end is not below 0. Without any extra work
-  /// it goes from 0 to Wilson's bound on the share of groups with some, each as if its work doubled.
+  /// extra work, as that of a count does. So it is a score interval, whose low end is not below 0. Without any extra
+  /// work it goes from 0 to Wilson's bound on the share of groups with some, each as if its work doubled.
   [[nodiscard]] std::optional<Interval> percent_interval() const;
 
  private:

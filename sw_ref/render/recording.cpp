@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "host/parallel.hpp"
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 
 namespace hitpipe::ref {
 namespace {

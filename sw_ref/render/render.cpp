@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/parallel.hpp"
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "sw_ref/render/camera.hpp"
 #include "sw_ref/render/shade.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "sw_ref/render/camera.hpp"
 #include "sw_ref/render/cosine_rays.hpp"
 #include "sw_ref/render/optics.hpp"

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "rays/trace/leaf_test.hpp"
+#include "rays/trace/leaf.hpp"
 #include "rays/trace/near_first.hpp"
 
 namespace hitpipe::ref {

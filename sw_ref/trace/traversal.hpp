@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/trace/child_order.hpp"
-#include "rays/trace/leaf_test.hpp"
+#include "rays/trace/leaf.hpp"
 #include "rays/tree/bvh.hpp"
 #include "sw_ref/hierarchy/plain_nodes.hpp"
 

@@ -1,7 +1,7 @@
 // Wrong use of the program: one line that says what was wrong, where, and what is allowed; exit code 2; no
 // file. Each case is a line of words and the message. DIR is a folder, OUT a place in it where nothing may
-// appear, DESIGNS the list of designs, COMMANDS_OF_CORE that of the commands of `core`. A message that ends in ";" goes on with the help of its command, and
-// of one that ends in "..." only the beginning is compared.
+// appear, DESIGNS the list of designs, COMMANDS_OF_CORE that of the commands of `core`. A message that ends in ";" goes
+// on with the help of its command, and of one that ends in "..." only the beginning is compared.
 #pragma once
 
 #include <algorithm>

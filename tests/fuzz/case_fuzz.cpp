@@ -10,7 +10,7 @@
 
 #include "rays/exact/box_referee.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 #include "tests/fuzz/expect.hpp"
 

@@ -10,7 +10,7 @@
 
 #include <glm/common.hpp>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/files/mesh_file.hpp"
 #include "rays/scene/scene.hpp"
 #include "sw_ref/scene/mesh_scene.hpp"

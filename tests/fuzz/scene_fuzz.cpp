@@ -12,7 +12,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/scene/scene.hpp"
 #include "sw_ref/render/camera.hpp"
 #include "tests/fuzz/expect.hpp"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "rays/exact/box_referee.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 #include "sim/software/software.hpp"
 #include "tests/library/cases.hpp"
 

@@ -1,7 +1,7 @@
 #include "tests/sim/adversary_vectors.hpp"
 
 #include "rtl_gen/emit/vectors.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 
 namespace hitpipe::sim {
 namespace {

@@ -1,5 +1,5 @@
-// The core that every feature changes (docs/core.md): it traces integer rays from pins for their nearest or any hit, reads
-// blocks from memory one by one, and tests triangles in a unit.
+// The core that every feature changes (docs/core.md): it traces integer rays from pins for their nearest or any hit,
+// reads blocks from memory one by one, and tests triangles in a unit.
 #include "rtl_gen/core/features/base.hpp"
 
 #include <array>

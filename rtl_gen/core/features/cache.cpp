@@ -1,4 +1,5 @@
-// A cache in front of memory (hls/machines/cache.hpp): it reads lines, in place of the machine `requests`, which reads blocks.
+// A cache in front of memory (hls/machines/cache.hpp): it reads lines, in place of the machine `requests`, which reads
+// blocks.
 #include "hls/machines/cache.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
-// Rays may want crossings: their count, and the next one behind a place (docs/integer_world.md, Exactly once). The triangle
-// unit says what it is sure of, and the machine `ties` settles hits at edges and corners.
+// Rays may want crossings: their count, and the next one behind a place (docs/integer_world.md, Exactly once). The
+// triangle unit says what it is sure of, and the machine `ties` settles hits at edges and corners.
 #include <array>
 
 #include <fmt/format.h>

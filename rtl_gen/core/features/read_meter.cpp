@@ -1,4 +1,5 @@
-// Counts how long memory takes to answer (hls/machines/read_meter.hpp). The numbers are pins, for logic beside the core.
+// Counts how long memory takes to answer (hls/machines/read_meter.hpp). The numbers are pins, for logic beside the
+// core.
 #include "hls/machines/read_meter.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
-// Rays come from a ring in memory, and answers go to another (hls/machines/rings.hpp), by a port of its own. The unit `ray`
-// takes rays from the machine `rings`.
+// Rays come from a ring in memory, and answers go to another (hls/machines/rings.hpp), by a port of its own. The unit
+// `ray` takes rays from the machine `rings`.
 #include "hls/machines/rings.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Small chips: a machine with one multiplier tests triangles, in place of the unit int_triangle, its feed and the divider
-// (hls/machines/serial_triangle.hpp). A test takes some hundred cycles.
+// Small chips: a machine with one multiplier tests triangles, in place of the unit int_triangle, its feed and the
+// divider (hls/machines/serial_triangle.hpp). A test takes some hundred cycles.
 #include <array>
 
 #include "hls/machines/channels.hpp"

@@ -1,5 +1,5 @@
-// Answers say where in its triangle a ray hits (hls/machines/weights.hpp). The machine `weights` keeps det, u and v of each
-// ray's best hit, and stands behind `replies`.
+// Answers say where in its triangle a ray hits (hls/machines/weights.hpp). The machine `weights` keeps det, u and v of
+// each ray's best hit, and stands behind `replies`.
 #include "hls/machines/weights.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
-// What the harness does for a feature of a core. A feature's file has a struct derived from Episode with what differs, and
-// features.hpp, which hitpipe writes, names those of one core.
+// What the harness does for a feature of a core. A feature's file has a struct derived from Episode with what differs,
+// and features.hpp, which hitpipe writes, names those of one core.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,8 @@
 // A small system: a core behind AXI, a memory with a random latency, and a host. It loads the image and the rays of the
 // scene file, sends the rays, and compares every answer. Then it damages image, memory, rays and registers, and resets
 // the core: an answer is right or says why it has failed. Registers begin with random bits; in every cycle they are
-// compared with what has passed. hitpipe writes this folder beside a core; core.hpp and features.hpp alone differ from core to core.
+// compared with what has passed. hitpipe writes this folder beside a core; core.hpp and features.hpp alone differ from
+// core to core.
 //   make harness    builds and runs it: PASS and exit code 0, or FAIL and exit code 1
 #include <cinttypes>
 #include <cstdint>

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "tests/rays/exact/triangle_cases.hpp"
 
 namespace hitpipe::ref::triangle_mesh_test {

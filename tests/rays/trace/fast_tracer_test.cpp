@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rays/trace/leaf_test.hpp"
+#include "rays/trace/leaf.hpp"
 #include "rays/trace/near_first.hpp"
 #include "rays/trace/triangle_pack.hpp"
 #include "rays/tree/wide_nodes.hpp"

@@ -1,5 +1,5 @@
-// All questions of the float world against every triangle by force: with vectors of four and of eight, on lattices with many
-// ties, with stiff rays, and with coordinates at the ends of their range.
+// All questions of the float world against every triangle by force: with vectors of four and of eight, on lattices with
+// many ties, with stiff rays, and with coordinates at the ends of their range.
 #include "rays/trace/ray_queries.hpp"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/mesh/mesh.hpp"
 #include "rays/mesh/ray.hpp"
 

@@ -1,5 +1,5 @@
-// Features go together, or say that they do not: each set of them is allowed, or is refused with a line that names two that
-// exclude each other. Of up to three, all parts are joined and the files are written.
+// Features go together, or say that they do not: each set of them is allowed, or is refused with a line that names two
+// that exclude each other. Of up to three, all parts are joined and the files are written.
 #include "tests/rtl_gen/core/feature_pairs.hpp"
 
 #include <set>

@@ -11,7 +11,7 @@
 
 #include "hls/box/fp_format.hpp"
 #include "rays/exact/box_referee.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 

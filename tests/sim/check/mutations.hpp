@@ -8,7 +8,7 @@
 #include <span>
 
 #include "rtl_gen/graph/graph.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 
 namespace hitpipe::sim {
 

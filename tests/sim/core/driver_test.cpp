@@ -18,8 +18,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Registers that keep what is written. Prints what the driver says of an image in the file FILE at ADDRESS, and what it
-/// wrote. REGISTER=VALUE changes a register before.
+/// Registers that keep what is written. Prints what the driver says of an image in the file FILE at ADDRESS, and what
+/// it wrote. REGISTER=VALUE changes a register before.
 constexpr const char* program = R"(#include "driver.h"
 #include <inttypes.h>
 #include <stdio.h>

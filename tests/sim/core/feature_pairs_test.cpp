@@ -1,5 +1,5 @@
-// Two features that may stand together: the files of a core that has both pass in the tools. Each feature is in a pair, and
-// with HITPIPE_ALL_PAIRS each pair is tested.
+// Two features that may stand together: the files of a core that has both pass in the tools. Each feature is in a pair,
+// and with HITPIPE_ALL_PAIRS each pair is tested.
 #include "tests/rtl_gen/core/feature_pairs.hpp"
 
 #include <algorithm>

@@ -80,8 +80,8 @@ TEST_P(SameBehindAxi, InEveryCycle) {
       if (!pins[pin].is_input) continue;
       PinWords words((static_cast<std::size_t>(pins[pin].width) + 63) / 64);
       for (std::uint64_t& word : words) word = random.bits();
-      // The first cycle has no reset, so that the one behind it counts. Others come now and then. Numbers that are written
-      // are small, so that settings are.
+      // The first cycle has no reset, so that the one behind it counts. Others come now and then. Numbers that are
+      // written are small, so that settings are.
       if (pins[pin].role == Pin::Role::reset)
         words[0] = cycle != 0 && (cycle < first_compared || random.below(500) == 0) ? 0 : 1;
       if (pins[pin].name == "s_axi_wdata") words[0] &= 0xff;

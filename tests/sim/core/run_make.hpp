@@ -10,8 +10,8 @@
 
 namespace hitpipe::sim {
 
-/// Makes a target in the folder of a core. The C++ compiler optimises only what runs in each cycle, by `fast`: a core of
-/// one multiplier takes many cycles. Verilator's own code is compiled once for all tests.
+/// Makes a target in the folder of a core. The C++ compiler optimises only what runs in each cycle, by `fast`: a core
+/// of one multiplier takes many cycles. Verilator's own code is compiled once for all tests.
 inline rtl::ToolResult run_make(const std::filesystem::path& folder, const std::string& target,
                                 const std::string& fast = "-O1") {
   return rtl::run_tool(folder, "make", "make",

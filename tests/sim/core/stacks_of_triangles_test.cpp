@@ -1,5 +1,5 @@
-// Rays through stacks of triangles that face one way: the count is as large as a triangle's number may be, and the sum of
-// sides is larger than a distance.
+// Rays through stacks of triangles that face one way: the count is as large as a triangle's number may be, and the sum
+// of sides is larger than a distance.
 #include <string>
 #include <vector>
 

@@ -12,7 +12,7 @@
 #include "rays/world/int_box.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"
 #include "sim/designs/set_up_feed.hpp"
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/message_of.hpp"

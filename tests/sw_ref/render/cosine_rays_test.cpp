@@ -12,7 +12,7 @@
 
 #include "host/text.hpp"
 #include "rays/exact/box_referee.hpp"
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "sw_ref/scene/load_scene.hpp"

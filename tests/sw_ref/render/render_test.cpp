@@ -11,7 +11,7 @@
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "sw_ref/render/shade.hpp"
 #include "sw_ref/scene/load_scene.hpp"
 #include "tests/message_of.hpp"

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "rays/exact/box_referee.hpp"
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "sw_ref/render/optics.hpp"
 #include "sw_ref/render/shade.hpp"
 #include "tests/message_of.hpp"

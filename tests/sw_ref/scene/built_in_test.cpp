@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "sw_ref/scene/built_in_scenes.hpp"
 #include "sw_ref/scene/figure.hpp"
 #include "sw_ref/scene/load_scene.hpp"

@@ -1,5 +1,5 @@
 // The triangle test against rational arithmetic, by category of triangle_cases.hpp.
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,7 @@
 
 #include "tests/rays/exact/triangle_cases.hpp"
 
-namespace hitpipe::ref::triangle_test_test {
+namespace hitpipe::ref::exact_triangle_test {
 namespace {
 
 using cases::Random;
@@ -220,4 +220,4 @@ TEST(HasArea, OfDoublesIsThatOfRationals) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref::triangle_test_test
+}  // namespace hitpipe::ref::exact_triangle_test

@@ -1,4 +1,4 @@
-#include "sim/software/box_test.hpp"
+#include "sim/software/box_software.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 
 #include <array>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "rtl_gen/machine/cycle_test.hpp"
+#include "rtl_gen/machine/cycle_bench.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

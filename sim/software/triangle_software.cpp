@@ -1,4 +1,4 @@
-#include "sim/software/triangle_test.hpp"
+#include "sim/software/triangle_software.hpp"
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-#include "rays/trace/leaf_test.hpp"
+#include "rays/trace/leaf.hpp"
 
 #include <cmath>
 #include <stdexcept>

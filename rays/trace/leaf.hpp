@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "rays/exact/triangle_test.hpp"
+#include "rays/exact/exact_triangle.hpp"
 #include "rays/mesh/mesh.hpp"
 #include "rays/mesh/ray.hpp"
 #include "rays/trace/tracer.hpp"
