@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Proves with Coq, in all widths: int_major and int_major_pair never miss, in both worlds; a ray crosses a
-# closed mesh an even number of times: prove.sh.
+# closed mesh an even number of times; a walk with a short stack loses nothing: prove.sh.
 # docs/formal.md explains.
 # It prints what each theorem assumes, and compares the definition with the C++ on random rays.
 # It fails if a proof fails, if a theorem assumes an axiom, or if a case differs.
@@ -11,7 +11,7 @@ cases=500
 
 files=(Numbers IntMajor SetUp FloatQuotient FloatGrid NeverMisses IntegerWorld Words Shifter Datapath Ranges Pair
   IntegerTriangle Triangle TriangleHit Divider Crossing CrossingMesh SharedEdge CrossingRay FaceAhead
-  Tetrahedron CrossingOrigin Needed Compare)
+  Tetrahedron CrossingOrigin Walk Needed Compare)
 theorems=(
   NeverMisses.never_misses
   Ranges.datapath_never_misses
@@ -71,6 +71,9 @@ theorems=(
   CrossingOrigin.count_ahead_is_of_origin
   CrossingOrigin.ray_crosses_ahead_is
   CrossingOrigin.origin_is_inside_or_outside
+  Walk.walk_forgets_nothing
+  Walk.walk_finds_the_least
+  Walk.each_leaf_once
   Words.sum_with_carry_is
   Shifter.saturating_shift_is_clamp
   SetUp.quotient_has_bounds
