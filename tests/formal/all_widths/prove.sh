@@ -2,7 +2,7 @@
 # Proves with Coq, in all widths: int_major and int_major_pair never miss, in both worlds; a ray crosses a
 # closed mesh an even number of times; a walk with a short stack loses nothing: prove.sh.
 # docs/formal.md explains.
-# It prints what each theorem assumes, and compares the definition with the C++ on random rays.
+# It prints what each theorem assumes, and compares the definitions with the C++ on random rays and trees.
 # It fails if a proof fails, if a theorem assumes an axiom, or if a case differs.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -11,7 +11,7 @@ cases=500
 
 files=(Numbers IntMajor SetUp FloatQuotient FloatGrid NeverMisses IntegerWorld Words Shifter Datapath Ranges Pair
   IntegerTriangle Triangle TriangleHit Divider Crossing CrossingMesh SharedEdge CrossingRay FaceAhead
-  Tetrahedron CrossingOrigin Walk Needed Compare)
+  Tetrahedron CrossingOrigin Walk Needed Compare CompareWalk)
 theorems=(
   NeverMisses.never_misses
   Ranges.datapath_never_misses
@@ -120,6 +120,12 @@ for theorem in "${theorems[@]}"; do printf '%-44s %s\n' "$theorem" "$closed"; do
 
 sources=("$root"/rays/{exact/major_quotient,world/{int_major_ray,int_box,ray_check}}.cpp)
 "${CXX:-c++}" -std=c++20 -O1 -I"$root" "$here/emit_cases.cpp" "${sources[@]}" -lfmt -o emit_cases
+"${CXX:-c++}" -std=c++20 -O1 -I"$root" "$here/emit_walks.cpp" -lfmt -o emit_walks
 ./emit_cases "$cases" >Cases.v
-compile Cases | tr '\n' ' ' | sed 's/ = /\n/g' |
-  sed -n 's/.*(\([0-9]*\)[^,]*, \([0-9]*\).*/\1 cases agree with the C++, \2 of them HIT/p'
+./emit_walks "$cases" >Walks.v
+# counted FILE WHAT: what FILE prints are how many cases agree, and how many of these are WHAT.
+counted() {
+  compile "$1" | tr '\n' ' ' | sed 's/ = /\n/g' | sed -n "s/.*(\([0-9]*\)[^,]*, \([0-9]*\).*/\1 cases agree with the C++, \2 of them $2/p"
+}
+counted Cases HIT
+counted Walks 'with restarts'
