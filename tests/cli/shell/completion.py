@@ -46,15 +46,6 @@ class Terminal:
     def type(self, text):
         os.write(self.end, text.encode())
 
-    def offers(self, line):
-        """All that the shell prints when the line is completed twice, and what the line has become."""
-        self.type("\x15" + line + "\t")
-        time.sleep(1)
-        self.type("\t")
-        time.sleep(1)
-        self.type("\x01: '\x05' END\n")  # in front: the line runs nothing
-        return self.read_until(r"END[\r\n][^E]*> $")
-
     def close(self):
         self.type("\x15exit\n")
         os.close(self.end)
@@ -82,13 +73,21 @@ wrong = []
 with tempfile.TemporaryDirectory() as name:
     home = pathlib.Path(name)
     (home / "my_mesh.ply").write_text("")
-    terminal = Terminal(home)
-    terminal.type(SET_UP[shell] + "; echo REA''DY\n")
-    terminal.read_until("READY\r?\n")
-    for line, wanted, unwanted in CASES:
-        printed = terminal.offers(line)
+    # A terminal for each, side by side, because what a shell offers has no end that could be waited for.
+    terminals = [Terminal(home) for _ in CASES]
+    for terminal in terminals:
+        terminal.type(SET_UP[shell] + "; echo REA''DY\n")
+    for terminal in terminals:
+        terminal.read_until("READY\r?\n")
+    # The line is completed twice. Then comes a word in front of it, so that it runs nothing.
+    for typed in [[f"\x15{line}\t" for line, _, _ in CASES], ["\t"] * len(CASES), ["\x01: '\x05' END\n"] * len(CASES)]:
+        for terminal, text in zip(terminals, typed):
+            terminal.type(text)
+        time.sleep(2)
+    for terminal, (line, wanted, unwanted) in zip(terminals, CASES):
+        printed = terminal.read_until(r"END[\r\n][^E]*> $")
+        terminal.close()
         words = set(re.findall(r"[\w.-]+", printed))
         wrong += [f"{line!r}: {word} is not offered in {printed!r}" for word in wanted if word not in words]
         wrong += [f"{line!r}: {word} is offered in {printed!r}" for word in unwanted if word in words]
-    terminal.close()
 sys.exit("\n".join(wrong) if wrong else 0)
