@@ -4,7 +4,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE ${WORK})
 set(PREFIX ${WORK}/prefix)
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DBUILD_SHARED_LIBS=OFF
-    -DHITPIPE_TESTS=OFF -DHITPIPE_BENCH=OFF -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_CXX_COMPILER=${CXX})
+    -DHITPIPE_TESTS=OFF -DHITPIPE_BENCH=OFF -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_CXX_COMPILER=${CXX})
 run(${CMAKE_COMMAND} --build ${WORK}/build --target hitpipe_ref)
 run(${CMAKE_COMMAND} --install ${WORK}/build --prefix ${PREFIX} --component library)
 file(GLOB libraries ${PREFIX}/lib*/libhitpipe_ref* ${PREFIX}/lib/*/libhitpipe_ref*)
