@@ -21,7 +21,7 @@ Fixpoint walk (c : WalkCase) (steps : nat) (s : state) : list (list hit) * optio
   | _, Done best => ([], Some best)
   | O, _ => ([], None)
   | S steps, _ =>
-      let (leaves, best) := walk c steps (step (walked c) (most_places c) (scaled_by (shift c)) s) in
+      let (leaves, best) := walk c steps (step (walked c) (most_places c) (fun _ => true) (scaled_by (shift c)) s) in
       (tests_now s ++ leaves, best)
   end.
 

@@ -1,11 +1,11 @@
-(* A ray's walk through a hierarchy with a trail, a short stack and restarts, as the machine `walker` takes it: for all
-   trees and all lengths of the stack, it ends, it tests leaves as a walk that forgets nothing, and so it finds the least
-   hit.
+(* A ray's walk through a hierarchy with a trail, a short stack and restarts, as the machine `walker` takes it. For all
+   trees and all lengths of the stack it ends, it tests the leaves that a walk tests which forgets nothing, and so it
+   finds the least hit.
 
    The trail has a bit for each level of the path. 1: no child waits at this level. 0: the second child waits. A full
-   stack drops its oldest child. If a child waits that the stack has dropped, the walk begins again at the root, and the
-   trail leads it back. This is right because a hit lies in its boxes: so a child in which something was found is still
-   accepted when the walk passes again, and no child becomes accepted that was not. *)
+   stack drops its oldest child. If a child waits that the stack has dropped, the walk begins again at the root, and
+   the trail leads it back. This is right because a hit lies in its boxes: so a child in which something was found is
+   still accepted when the walk passes again, and no child becomes accepted that was not. *)
 From Coq Require Import ZArith List Lia Bool.
 Import ListNotations.
 Open Scope Z_scope.
@@ -13,7 +13,6 @@ Open Scope Z_scope.
 (* T and the number of its triangle. *)
 Definition hit := (Z * Z)%type.
 Definition less (a b : hit) : bool := (fst a <? fst b) || ((fst a =? fst b) && (snd a <? snd b)).
-Definition better (best h : hit) : hit := if less h best then h else best.
 
 (* Of each child, where the ray enters and leaves its box. The child that is taken first is written first. Which one it
    is does not depend on the length of the ray. *)
@@ -21,15 +20,13 @@ Inductive tree :=
 | Leaf (hits : list hit)
 | Node (near0 far0 : Z) (t0 : tree) (near1 far1 : Z) (t1 : tree).
 
-Definition tested (hits : list hit) (best : hit) : hit := fold_left better hits best.
-
 (* The machine. *)
 
 Definition waiting := (Z * tree)%type.
 
 Inductive state :=
-(* At a record or a leaf. The trail's bits are those above, the deepest first, and those ahead, the highest first. On the
-   way back from the root the last of them is of the level at which a child waits. *)
+(* At a record or a leaf. The trail's bits are those above, the deepest first, and those ahead, the highest first.
+On the way back from the root the last of them is of the level at which a child waits. *)
 | At (above ahead : list bool) (t : tree) (stack : list waiting) (best : hit)
 (* Nothing is left below the trail's deepest level. *)
 | Pop (trail : list bool) (stack : list waiting) (best : hit)
@@ -42,6 +39,12 @@ Section Walk.
 
 Variable root : tree.
 Variable places : nat.
+
+(* Which hits a ray wants: the nearest of all, those that are not before a place (next), or none that would make it
+   shorter, so that it comes to each (count). *)
+Variable wanted : hit -> bool.
+Definition better (best h : hit) : hit := if wanted h && less h best then h else best.
+Definition tested (hits : list hit) (best : hit) : hit := fold_left better hits best.
 
 (* A T in units of the boxes' distances: rounded down. *)
 Variable scaled : Z -> Z.
@@ -105,7 +108,8 @@ Fixpoint tests (t : tree) (best : hit) : list (list hit) :=
   | Leaf hits => [hits]
   | Node near0 far0 t0 near1 far1 t1 =>
       let first := if accepts near0 far0 best then found t0 best else best in
-      (if accepts near0 far0 best then tests t0 best else []) ++ (if accepts near1 far1 first then tests t1 first else [])
+      (if accepts near0 far0 best then tests t0 best else [])
+        ++ (if accepts near1 far1 first then tests t1 first else [])
   end.
 
 Fixpoint hits_of (t : tree) : list hit :=
@@ -123,11 +127,11 @@ Fixpoint holds (t : tree) : Prop :=
   end.
 
 Lemma better_is best h : better best h = best \/ better best h = h.
-Proof. unfold better. destruct (less h best); auto. Qed.
+Proof. unfold better. destruct (wanted h && less h best); auto. Qed.
 
 Lemma better_shrinks best h : fst (better best h) <= fst best.
 Proof.
-  unfold better, less. destruct h as [t n], best as [u m]. cbn.
+  unfold better, less. destruct (wanted h); [| cbn; lia]. destruct h as [t n], best as [u m]. cbn.
   destruct (Z.ltb_spec t u); cbn; [lia |]. destruct (Z.eqb_spec t u); cbn; [| lia].
   destruct (n <? m); cbn; lia.
 Qed.
@@ -198,7 +202,8 @@ Fixpoint path (frames : list frame) (t : tree) : Prop :=
 (* What the bit says, and that the child that was taken is still accepted. *)
 Definition right (best : hit) (f : frame) : Prop :=
   (bit f = true /\ second f = true /\ accepts (near1 f) (far1 f) best = true) \/
-  (bit f = true /\ second f = false /\ accepts (near0 f) (far0 f) best = true /\ accepts (near1 f) (far1 f) best = false) \/
+  (bit f = true /\ second f = false /\ accepts (near0 f) (far0 f) best = true /\
+    accepts (near1 f) (far1 f) best = false) \/
   (bit f = false /\ second f = false /\ accepts (near0 f) (far0 f) best = true /\ near1 f <= far1 f).
 Definition all_right (frames : list frame) (best : hit) : Prop := Forall (right best) frames.
 
@@ -278,7 +283,8 @@ Qed.
 
 Lemma entered_before best f : right best f -> entered f <= reach best.
 Proof.
-  unfold right, entered. intros [[_ [-> One]] | [[_ [-> [Zero _]]] | [_ [-> [Zero _]]]]]; rewrite accepts_is in *; tauto.
+  unfold right, entered.
+  intros [[_ [-> One]] | [[_ [-> [Zero _]]] | [_ [-> [Zero _]]]]]; rewrite accepts_is in *; tauto.
 Qed.
 
 Lemma right_after frames t best :
@@ -298,10 +304,12 @@ Proof.
   induction frames as [| f above Ind]; intros t tail Tail Path Right.
   - cbn in Path. subst t. exists [], []. cbn. repeat split; [apply Here | constructor | now exists 0%nat].
   - destruct Path as [-> Path]. inversion Right as [| f' above' Of Rest]; subst.
-    destruct (Ind (node f) (bit f :: tail)) as [frames [stack [Runs [Later Has]]]]; [discriminate | assumption | assumption |].
+    destruct (Ind (node f) (bit f :: tail)) as [frames [stack [Runs [Later Has]]]];
+      [discriminate | assumption | assumption |].
     cbn [bits map rev]. rewrite <- app_assoc. cbn [app].
     destruct tail as [| b tail]; [congruence |].
-    unfold right in Of. destruct Of as [[B [S One]] | [[B [S [Zero One]]] | [B [S [Zero Ahead]]]]]; unfold child; rewrite S.
+    unfold right in Of. destruct Of as [[B [S One]] | [[B [S [Zero One]]] | [B [S [Zero Ahead]]]]];
+      unfold child; rewrite S.
     + exists (f :: frames), stack. repeat split.
       * apply (runs_to _ _ _ _ Runs). apply moves; [reflexivity |]. cbn. rewrite One, B.
         destruct (accepts (near0 f) (far0 f) best); apply Here.
@@ -330,7 +338,9 @@ Lemma visits : forall t frames stack best,
     all_later (found t best) frames frames' /\ has stack' frames'.
 Proof.
   induction t as [hits | n0 f0 u0 Ind0 n1 f1 u1 Ind1]; intros frames stack best Holds Path Right Inside Has.
-  - exists frames, stack. repeat split; [exact (Further (At (bits frames) [] (Leaf hits) stack best) _ [] (Here _)) | apply later_itself | exact Has].
+  - exists frames, stack.
+    repeat split; [exact (Further (At (bits frames) [] (Leaf hits) stack best) _ [] (Here _))
+      | apply later_itself | exact Has].
   - destruct Holds as [In0 [In1 [Holds0 Holds1]]].
     assert (inside frames u0) as Inside0 by (eapply inside_less; [exact Inside | apply incl_appl, incl_refl]).
     assert (inside frames u1) as Inside1 by (eapply inside_less; [exact Inside | apply incl_appr, incl_refl]).
@@ -338,7 +348,8 @@ Proof.
     assert (forall frames stack best, path frames (Node n0 f0 u0 n1 f1 u1) -> all_right frames best ->
       inside frames u1 -> has stack frames -> accepts n1 f1 best = true ->
       exists frames' stack',
-        runs (tests u1 best) (At (true :: bits frames) [] u1 stack best) (Pop (bits frames') stack' (found u1 best)) /\
+        runs (tests u1 best) (At (true :: bits frames) [] u1 stack best)
+          (Pop (bits frames') stack' (found u1 best)) /\
         all_later (found u1 best) frames frames' /\ has stack' frames') as Second.
     { intros fs st b P R I H One.
       destruct (Ind1 (Frame true true n0 f0 u0 n1 f1 u1 :: fs) st b) as [fs' [st' [Runs [Later Has']]]].
@@ -388,18 +399,22 @@ Proof.
                    [now apply later_path with b above | now apply later_right with above |
                     now apply later_inside with b above | assumption | assumption |].
                  exists fs2, st2. repeat split; [| | assumption].
-                 --- apply (runs_on _ _ _ _ _ Again). apply moves; [reflexivity |]. cbn. rewrite Still, OneB. exact Runs2.
+                 --- apply (runs_on _ _ _ _ _ Again). apply moves; [reflexivity |]. cbn. rewrite Still, OneB.
+                     exact Runs2.
                  --- apply later_on with b fs'; [apply reaches_less | | assumption].
                      apply later_on with b above; [lia | assumption | assumption].
               ** exists fs', st'. repeat split; [| | assumption].
-                 --- apply (runs_on _ _ _ _ _ Again). apply moves; [reflexivity |]. cbn. rewrite Still, OneB. apply moves, Here. reflexivity.
+                 --- apply (runs_on _ _ _ _ _ Again). apply moves; [reflexivity |]. cbn. rewrite Still, OneB.
+                     apply moves, Here. reflexivity.
                  --- apply later_on with b above; [lia | assumption | assumption].
            ++ (* The stack has it. *)
               cbn [firstn] in Down. destruct (reach b <? n1) eqn:TooFar.
               ** assert (accepts n1 f1 b = false) as ->.
-                 { unfold accepts. apply Z.ltb_lt in TooFar. destruct (Z.leb_spec n1 (reach b)); [lia | apply andb_false_r]. }
+                 { unfold accepts. apply Z.ltb_lt in TooFar.
+                   destruct (Z.leb_spec n1 (reach b)); [lia | apply andb_false_r]. }
                  exists above, (firstn k (wait above)). repeat split; [| assumption | now exists k].
-                 apply (runs_on _ _ _ _ _ Down). apply moves; [reflexivity |]. cbn. rewrite TooFar. apply moves, Here. reflexivity.
+                 apply (runs_on _ _ _ _ _ Down). apply moves; [reflexivity |]. cbn. rewrite TooFar.
+                 apply moves, Here. reflexivity.
               ** assert (accepts n1 f1 b = true) as OneB.
                  { apply accepts_is in One. apply accepts_is. apply Z.ltb_ge in TooFar. tauto. }
                  rewrite OneB.
@@ -424,7 +439,8 @@ Proof.
         inversion Later as [| f g x above Same Rest]; subst.
         destruct Same as [-> | [Bit _]]; [| discriminate].
         exists above, st. repeat split; [| assumption |].
-        -- apply moves; [reflexivity |]. cbn. rewrite Zero, One. apply (runs_on _ _ _ _ _ Runs). apply moves, Here. reflexivity.
+        -- apply moves; [reflexivity |]. cbn. rewrite Zero, One. apply (runs_on _ _ _ _ _ Runs).
+           apply moves, Here. reflexivity.
         -- destruct Has' as [k ->]. now exists k.
     + (* The second alone. *)
       destruct (Second frames stack best) as [fs [st [Runs [Later Has']]]]; try assumption.
@@ -449,30 +465,37 @@ Qed.
 Lemma less_not a b c : less a b = false -> less b c = false -> less a c = false.
 Proof.
   destruct a as [t n], b as [u m], c as [v o]. unfold less. cbn.
-  destruct (Z.ltb_spec t u), (Z.eqb_spec t u), (Z.ltb_spec n m), (Z.ltb_spec u v), (Z.eqb_spec u v), (Z.ltb_spec m o),
+  destruct (Z.ltb_spec t u), (Z.eqb_spec t u), (Z.ltb_spec n m), (Z.ltb_spec u v), (Z.eqb_spec u v),
+    (Z.ltb_spec m o),
     (Z.ltb_spec t v), (Z.eqb_spec t v), (Z.ltb_spec n o); cbn; try discriminate; try lia; reflexivity.
 Qed.
 
-Lemma better_least best h : less h (better best h) = false /\ less best (better best h) = false.
+Lemma less_itself h : less h h = false.
+Proof. destruct h as [t n]. unfold less. cbn. now rewrite Z.ltb_irrefl, Z.eqb_refl, Z.ltb_irrefl. Qed.
+
+Lemma better_least best h :
+  (wanted h = true -> less h (better best h) = false) /\ less best (better best h) = false.
 Proof.
-  unfold better. destruct (less h best) eqn:Less; split; try assumption.
-  - destruct h as [t n]. unfold less. cbn. rewrite Z.ltb_irrefl, Z.eqb_refl, Z.ltb_irrefl. reflexivity.
+  unfold better. destruct (wanted h); [cbn | split; [discriminate | apply less_itself]].
+  destruct (less h best) eqn:Less; split; try (intros _; assumption).
+  - intros _. apply less_itself.
   - destruct h as [t n], best as [u m]. unfold less in *. cbn in *.
-    destruct (Z.ltb_spec t u), (Z.eqb_spec t u), (Z.ltb_spec n m), (Z.ltb_spec u t), (Z.eqb_spec u t), (Z.ltb_spec m n);
+    destruct (Z.ltb_spec t u), (Z.eqb_spec t u), (Z.ltb_spec n m), (Z.ltb_spec u t), (Z.eqb_spec u t),
+      (Z.ltb_spec m n);
       cbn in *; try discriminate; try lia; reflexivity.
-  - destruct best as [u m]. unfold less. cbn. rewrite Z.ltb_irrefl, Z.eqb_refl, Z.ltb_irrefl. reflexivity.
+  - apply less_itself.
 Qed.
 
 Definition is_least (hits : list hit) (best least : hit) : Prop :=
-  less best least = false /\ forall h, In h hits -> less h least = false.
+  less best least = false /\ forall h, In h hits -> wanted h = true -> less h least = false.
 
 Lemma tested_least hits : forall best, is_least hits best (tested hits best).
 Proof.
   induction hits as [| h hits Ind]; intro best; cbn.
-  - split; [| contradiction]. destruct best as [u m]. unfold less. cbn. rewrite Z.ltb_irrefl, Z.eqb_refl, Z.ltb_irrefl. reflexivity.
+  - split; [apply less_itself | contradiction].
   - destruct (Ind (better best h)) as [Best Hits]. destruct (better_least best h) as [OfH OfBest]. split.
     + now apply less_not with (better best h).
-    + intros g [<- | There]; [now apply less_not with (better best h) | now apply Hits].
+    + intros g [<- | There] Wanted; [apply less_not with (better best h); auto | now apply Hits].
 Qed.
 
 (* Nothing is lost with a child that is not accepted. *)
@@ -494,23 +517,119 @@ Proof.
   set (first := if accepts near0 far0 best then found t0 best else best).
   assert (is_least (hits_of t0) best first) as [Best0 Hits0].
   { unfold first. destruct (accepts near0 far0 best) eqn:Zero; [now apply Ind0 |]. split.
-    - destruct best as [u m]. unfold less. cbn. rewrite Z.ltb_irrefl, Z.eqb_refl, Z.ltb_irrefl. reflexivity.
-    - intros h There. now apply refused_is_farther with near0 far0 t0. }
-  assert (is_least (hits_of t1) first (if accepts near1 far1 first then found t1 first else first)) as [Best1 Hits1].
+    - apply less_itself.
+    - intros h There _. now apply refused_is_farther with near0 far0 t0. }
+  assert (is_least (hits_of t1) first (if accepts near1 far1 first then found t1 first else first))
+    as [Best1 Hits1].
   { destruct (accepts near1 far1 first) eqn:One; [now apply Ind1 |]. split.
-    - destruct first as [u m]. unfold less. cbn. rewrite Z.ltb_irrefl, Z.eqb_refl, Z.ltb_irrefl. reflexivity.
-    - intros h There. now apply refused_is_farther with near1 far1 t1. }
+    - apply less_itself.
+    - intros h There _. now apply refused_is_farther with near1 far1 t1. }
   split; [now apply less_not with first |].
-  intros h There. apply in_app_iff in There. destruct There; [apply less_not with first; auto | auto].
+  intros h There Wanted. apply in_app_iff in There. destruct There; [apply less_not with first; auto | auto].
+Qed.
+
+Lemma found_is_wanted t : forall best, found t best = best \/ wanted (found t best) = true.
+Proof.
+  assert (forall hits best, tested hits best = best \/ wanted (tested hits best) = true) as OfLeaf.
+  { induction hits as [| h hits Ind]; intro best; [now left |]. cbn.
+    destruct (Ind (better best h)) as [Same | Wanted]; [| now right].
+    fold (tested hits (better best h)). rewrite Same. unfold better.
+    destruct (wanted h) eqn:Wanted; cbn; [| now left]. destruct (less h best); [now right | now left]. }
+  induction t as [hits | near0 far0 t0 Ind0 near1 far1 t1 Ind1]; intro best; [apply OfLeaf |]. cbn.
+  assert ((if accepts near0 far0 best then found t0 best else best) = best \/
+    wanted (if accepts near0 far0 best then found t0 best else best) = true) as First
+    by (destruct (accepts near0 far0 best); auto).
+  destruct (accepts near1 far1 _); [| exact First].
+  destruct (Ind1 (if accepts near0 far0 best then found t0 best else best)) as [-> | Wanted]; auto.
 Qed.
 
 Theorem walk_finds_the_least best :
   holds root -> exists least,
     runs (tests root best) (At [] [] root [] best) (Done least) /\
-    is_least (hits_of root) best least /\ (least = best \/ In least (hits_of root)).
+    is_least (hits_of root) best least /\ (least = best \/ In least (hits_of root) /\ wanted least = true).
 Proof.
   intro Holds. exists (found root best).
-  split; [now apply walk_forgets_nothing | split; [now apply found_is_least | apply found_from]].
+  split; [now apply walk_forgets_nothing | split; [now apply found_is_least |]].
+  destruct (found_from root best), (found_is_wanted root best); auto.
+Qed.
+
+(* A walk for any hit ends at the first leaf that has one. *)
+Definition meets (hits : list hit) (best : hit) : bool := existsb (fun h => wanted h && less h best) hits.
+Definition step_any (s : state) : state :=
+  match s with
+  | At _ _ (Leaf hits) _ best => if meets hits best then Done (tested hits best) else step s
+  | _ => step s
+  end.
+Inductive runs_any : state -> state -> Prop :=
+| AnyHere s : runs_any s s
+| AnyFurther s last : runs_any (step_any s) last -> runs_any s last.
+
+Definition best_of (s : state) : hit :=
+  match s with
+  | At _ _ _ _ best | Pop _ _ best | Done best => best
+  end.
+
+Lemma less_on a b c : less a b = true -> less b c = true -> less a c = true.
+Proof.
+  destruct a as [t n], b as [u m], c as [v o]. unfold less. cbn.
+  rewrite !orb_true_iff, !andb_true_iff, !Z.ltb_lt, !Z.eqb_eq. lia.
+Qed.
+
+Lemma meets_nothing hits best : meets hits best = false -> tested hits best = best.
+Proof.
+  unfold meets. induction hits as [| h hits Ind]; [reflexivity |]. cbn. rewrite orb_false_iff. intros [Not Rest].
+  unfold better at 2. rewrite Not. now apply Ind.
+Qed.
+
+Lemma meets_less hits best : meets hits best = true -> less (tested hits best) best = true.
+Proof.
+  unfold meets. rewrite existsb_exists. intros [h [There Less]].
+  apply andb_true_iff in Less. destruct Less as [Wanted Less].
+  destruct (tested_least hits best) as [_ Least]. specialize (Least h There Wanted).
+  destruct (less (tested hits best) best) eqn:Now; [reflexivity |].
+  rewrite (less_not _ _ _ Least Now) in Less. discriminate.
+Qed.
+
+Lemma step_keeps s : tests_now s = [] -> step_any s = step s /\ best_of (step s) = best_of s.
+Proof.
+  destruct s as [above ahead [hits | n0 f0 u0 n1 f1 u1] stack best | [| [] trail] [| [near t] stack] best | best];
+    try discriminate; intros _; cbn; split; try reflexivity.
+  - destruct ahead as [| a [| b ahead]]; cbn; destruct (accepts n0 f0 best), (accepts n1 f1 best); try reflexivity;
+      destruct a; reflexivity.
+  - destruct (reach best <? near); reflexivity.
+Qed.
+
+Lemma any_as_nearest leaves s last : runs leaves s last -> forall least, last = Done least ->
+  exists some, runs_any s (Done some) /\
+    ((some = best_of s /\ least = best_of s) \/ (less some (best_of s) = true /\ less least (best_of s) = true)).
+Proof.
+  induction 1 as [s | s last leaves _ Ind]; intros least Is.
+  - subst. exists least. split; [apply AnyHere | now left].
+  - destruct (Ind least Is) as [some [Runs Same]].
+    destruct s as [above ahead [hits | n0 f0 u0 n1 f1 u1] stack best | trail stack best | best].
+    + destruct (meets hits best) eqn:Meets.
+      * exists (tested hits best). split; [apply AnyFurther; cbn; rewrite Meets; apply AnyHere |].
+        right. pose proof (meets_less _ _ Meets) as Less. cbn in *. split; [assumption |].
+        destruct Same as [[_ ->] | [_ Further]]; [assumption | now apply less_on with (tested hits best)].
+      * exists some. split; [apply AnyFurther; cbn [step_any]; rewrite Meets; assumption |].
+        cbn in *. now rewrite (meets_nothing _ _ Meets) in Same.
+    + destruct (step_keeps (At above ahead (Node n0 f0 u0 n1 f1 u1) stack best) eq_refl) as [Any Best].
+      exists some. split; [apply AnyFurther; rewrite Any; assumption | now rewrite Best in Same].
+    + destruct (step_keeps (Pop trail stack best) eq_refl) as [Any Best].
+      exists some. split; [apply AnyFurther; rewrite Any; assumption | now rewrite Best in Same].
+    + exists some. split; [apply AnyFurther; assumption | assumption].
+Qed.
+
+(* It ends, with a hit exactly if there is one. *)
+Theorem any_hit_is_found best : holds root -> exists some,
+  runs_any (At [] [] root [] best) (Done some) /\
+  (some = best /\ (forall h, In h (hits_of root) -> wanted h = true -> less h best = false) \/
+   less some best = true).
+Proof.
+  intro Holds.
+  destruct (any_as_nearest _ _ _ (walk_forgets_nothing best Holds) _ eq_refl) as [some [Runs Same]].
+  exists some. split; [assumption |]. cbn in Same. destruct Same as [[Some None] | [Less _]]; [left | now right].
+  split; [assumption |]. destruct (found_is_least root Holds best) as [_ Least]. now rewrite None in Least.
 Qed.
 
 (* Each leaf is tested once, in its turn: what is tested is the leaves of the tree with some left out. *)
@@ -536,5 +655,42 @@ Proof.
   - destruct (accepts near0 far0 best); [apply Ind0 | apply none_of].
   - destruct (accepts near1 far1 _); [apply Ind1 | apply none_of].
 Qed.
+
+(* No leaf is left out that the best hit at the end does not exclude. Of a ray that wants none, that is each leaf with a
+   hit within its length: so what is counted in the leaves that are tested are all hits. *)
+Theorem each_hit_is_met t h : holds t -> In h (hits_of t) ->
+  forall best, reach h <= reach (found t best) -> exists leaf, In leaf (tests t best) /\ In h leaf.
+Proof.
+  induction t as [hits | near0 far0 t0 Ind0 near1 far1 t1 Ind1]; intros Holds There best Near.
+  - exists hits. split; [now left | exact There].
+  - destruct Holds as [In0 [In1 [Holds0 Holds1]]]. cbn in *.
+    set (first := if accepts near0 far0 best then found t0 best else best) in *.
+    assert (reach (if accepts near1 far1 first then found t1 first else first) <= reach first) as Last.
+    { destruct (accepts near1 far1 first); [apply reaches_less | lia]. }
+    apply in_app_iff in There. destruct There as [There | There].
+    + destruct (accepts near0 far0 best) eqn:Zero.
+      * destruct (Ind0 Holds0 There best) as [leaf [Tested Is]]; [subst first; lia |].
+        exists leaf. split; [apply in_or_app; now left | exact Is].
+      * exfalso. specialize (In0 h There). subst first.
+        assert (accepts near0 far0 best = true) as Yes by (apply accepts_is; lia). congruence.
+    + destruct (accepts near1 far1 first) eqn:One.
+      * destruct (Ind1 Holds1 There first) as [leaf [Tested Is]]; [lia |].
+        exists leaf. split; [apply in_or_app; now right | exact Is].
+      * exfalso. specialize (In1 h There).
+        assert (accepts near1 far1 first = true) as Yes by (apply accepts_is; lia). congruence.
+Qed.
+
+Lemma wants_none t : (forall h, wanted h = false) -> forall best, found t best = best.
+Proof.
+  intros None. assert (forall hits best, tested hits best = best) as Same.
+  { induction hits as [| h hits Ind]; intro best; [reflexivity |]. cbn. unfold better at 2. rewrite None. apply Ind. }
+  induction t as [hits | near0 far0 t0 Ind0 near1 far1 t1 Ind1]; intro best; [apply Same |].
+  cbn. rewrite Ind0. destruct (accepts near0 far0 best), (accepts near1 far1 best); auto.
+Qed.
+
+Theorem count_meets_each_hit h best :
+  holds root -> (forall g, wanted g = false) -> In h (hits_of root) -> reach h <= reach best ->
+  exists leaf, In leaf (tests root best) /\ In h leaf.
+Proof. intros Holds None There Near. apply each_hit_is_met; [assumption | assumption |]. now rewrite wants_none. Qed.
 
 End Walk.

@@ -73,7 +73,10 @@ theorems=(
   CrossingOrigin.origin_is_inside_or_outside
   Walk.walk_forgets_nothing
   Walk.walk_finds_the_least
+  Walk.any_hit_is_found
   Walk.each_leaf_once
+  Walk.each_hit_is_met
+  Walk.count_meets_each_hit
   Words.sum_with_carry_is
   Shifter.saturating_shift_is_clamp
   SetUp.quotient_has_bounds
