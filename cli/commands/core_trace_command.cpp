@@ -225,7 +225,7 @@ class Tracing {
   std::vector<std::vector<CoreRayAnswer>> answers_;  ///< by core
   sim::QuestionOptions questions_;                   ///< of rays at edges
   std::optional<std::uint64_t> part_;
-  std::optional<sim::PictureRays> rays_;  ///< of the part, and the next too
+  std::optional<sim::PictureRays> rays_;  ///< of the part
   std::vector<ref::Ray> edge_rays_;
   Found found_;
 };

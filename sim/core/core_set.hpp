@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "hls/box/major_format.hpp"
 #include "hls/world/ray_format.hpp"
 #include "rays/image/core_image.hpp"
 #include "rays/world/int_scene.hpp"
@@ -18,6 +17,7 @@
 #include "sim/core/memory_model.hpp"
 #include "sim/core/picture_rays.hpp"
 #include "sim/operands/ray_list.hpp"
+#include "sw_ref/core/core_tracer.hpp"
 #include "sw_ref/render/render.hpp"
 
 namespace hitpipe::sim {

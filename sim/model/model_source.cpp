@@ -8,18 +8,21 @@
 
 namespace hitpipe::sim {
 
-std::string drive_lines(const std::vector<rtl::Port>& ports, const std::vector<rtl::Port>& operands,
-                        const char* array) {
+namespace {
+
+/// Lines that give each port its number from the array of all operands.
+std::string drive_lines(const std::vector<rtl::Port>& ports, const std::vector<rtl::Port>& operands) {
   std::string drive;
   for (const rtl::Port& port : ports) {
-    const auto operand = std::find_if(operands.begin(), operands.end(),
-                                      [&](const rtl::Port& each) { return each.name == port.name; });
+    const auto operand = std::ranges::find(operands, port.name, &rtl::Port::name);
     // A Verilated port must not be given bits above its width.
-    drive += fmt::format("    top.{0} = {3}[{1}] & {2:#x}LL;\n", port.name, operand - operands.begin(),
-                         hls::low_mask(port.width), array);
+    drive += fmt::format("    top.{} = operands[{}] & {:#x}LL;\n", port.name, operand - operands.begin(),
+                         hls::low_mask(port.width));
   }
   return drive;
 }
+
+}  // namespace
 
 std::string instance_source(const std::string& module, const std::string& includes) {
   return fmt::format(R"(#include "V{0}.h"
@@ -78,7 +81,7 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
   top.eval();
 }}
 )",
-                  module, drive_lines(ports, operands, "operands"), verdict.yes ? "" : "!", read,
+                  module, drive_lines(ports, operands), verdict.yes ? "" : "!", read,
                   stalls ? "  top.out_ready = pins->out_ready;\n" : "",
                   stalls || interval > 1 ? "top.in_ready" : "true", results[verdict.place].name);
 }

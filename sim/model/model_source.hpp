@@ -13,10 +13,6 @@ namespace hitpipe::sim {
 /// for what follows.
 [[nodiscard]] std::string instance_source(const std::string& module, const std::string& includes = "");
 
-/// Lines that give each port its number from an array of all operands.
-[[nodiscard]] std::string drive_lines(const std::vector<rtl::Port>& ports,
-                                      const std::vector<rtl::Port>& operands, const char* array);
-
 /// Each of the module's `ports` has an operand's name and takes its low `width` bits. `results` are the
 /// design's, each an output of the module.
 [[nodiscard]] std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
