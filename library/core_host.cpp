@@ -13,7 +13,7 @@ namespace hitpipe::library {
 
 namespace {
 
-const hls::WorldBits& bits_of(const hitpipe_scene& scene) {
+const hls::WorldBits& bits_of(const SceneState& scene) {
   if (!scene.bits)
     throw Refusal(HITPIPE_BAD_FORMAT,
                   "the scene is of the float world; a core's is of an integer one: \"20+1s20\"");
@@ -42,13 +42,13 @@ using namespace hitpipe::library;  // NOLINT(google-build-using-namespace): what
 hitpipe_status hitpipe_integer_rays(const hitpipe_scene* scene, const hitpipe_ray* rays, size_t ray_count,
                                     hitpipe_integer_ray* out) {
   return guarded([&] {
-    const auto& bits = bits_of(given(scene, "scene"));
+    const auto& bits = bits_of(*given(scene, "scene").state);
     const auto own = given(rays, ray_count);
     if (ray_count != 0) static_cast<void>(given(out, "out"));
-    for (std::size_t i = 0; i < ray_count; ++i) static_cast<void>(ray_of_scene(*scene, own[i], i));
+    for (std::size_t i = 0; i < ray_count; ++i) static_cast<void>(ray_of_scene(*scene->state, own[i], i));
     for (std::size_t i = 0; i < ray_count; ++i) {
       hitpipe::host::look(i);
-      out[i] = c_ray(hitpipe::ref::int_ray(in_world(*scene, own[i]), bits));
+      out[i] = c_ray(hitpipe::ref::int_ray(in_world(*scene->state, own[i]), bits));
     }
   });
 }
@@ -56,18 +56,21 @@ hitpipe_status hitpipe_integer_rays(const hitpipe_scene* scene, const hitpipe_ra
 hitpipe_status hitpipe_own_distance(const hitpipe_scene* scene, const hitpipe_ray* ray, int64_t core_t,
                                     double* t) {
   return guarded([&] {
-    const auto& bits = bits_of(given(scene, "scene"));
-    const hitpipe::ref::Ray own = ray_of_scene(*scene, given(ray, "ray"), 0);
-    given(t, "t") = own_t(*scene, hitpipe::ref::t_of_distance(core_t, own, bits));
+    const auto& bits = bits_of(*given(scene, "scene").state);
+    const hitpipe::ref::Ray own = ray_of_scene(*scene->state, given(ray, "ray"), 0);
+    given(t, "t") = own_t(*scene->state, hitpipe::ref::t_of_distance(core_t, own, bits));
   });
 }
 
 hitpipe_status hitpipe_core_image(const hitpipe_scene* scene, uint8_t* bytes, size_t capacity, size_t* size) {
   return guarded([&] {
-    const auto& bits = bits_of(given(scene, "scene"));
-    const auto placed = scene->placed();
+    const auto& bits = bits_of(*given(scene, "scene").state);
+    if (scene->state->instanced)
+      throw Refusal(HITPIPE_BAD_ARGUMENT,
+                    "the scene has instances; a core's image has none, so make one mesh of them");
+    const auto placed = scene->state->placed();
     hitpipe::ref::Scene shell;
-    shell.to_cube = scene->transform;
+    shell.to_cube = scene->state->transform;
     const hitpipe::ref::CoreImage image = hitpipe::ref::core_image(
         {.bits = bits, .mesh = *placed->int_mesh, .scene = std::move(shell), .bvh = placed->bvh});
     const std::string text = hitpipe::ref::core_image_bytes(image.blocks);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "library/failure.hpp"
+#include "library/transform.hpp"
 
 namespace hitpipe::library {
 
@@ -61,6 +62,16 @@ CheckedMesh with_corners(const float* corners, std::size_t corner_count, std::ve
   return own;
 }
 
+std::vector<glm::dvec3> checked_points(const float* points, std::size_t count) {
+  if (count != 0) static_cast<void>(given(points, "points"));
+  std::vector<glm::dvec3> own;
+  for (std::size_t i = 0; i < count; ++i) {
+    own.emplace_back(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+    check_place(own.back(), "point", i, HITPIPE_BAD_ARGUMENT);
+  }
+  return own;
+}
+
 ref::Normalisation fitted(const ref::Mesh& mesh, std::span<const glm::dvec3> points) {
   if (mesh.triangles.empty() && points.empty()) return {};
   ref::Bounds bounds =
@@ -95,13 +106,6 @@ hitpipe_status hitpipe_fit_scene(const hitpipe_mesh* mesh, const float* points, 
                                  hitpipe_transform* out) {
   return guarded([&] {
     const CheckedMesh own = checked_mesh(given(mesh, "mesh"));
-    if (point_count != 0) static_cast<void>(given(points, "points"));
-    std::vector<glm::dvec3> own_points;
-    for (std::size_t i = 0; i < point_count; ++i) {
-      own_points.emplace_back(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
-      check_place(own_points.back(), "point", i, HITPIPE_BAD_ARGUMENT);
-    }
-    const hitpipe::ref::Normalisation made = fitted(own.mesh, own_points);
-    given(out, "out") = {{made.offset.x, made.offset.y, made.offset.z}, made.scale};
+    given(out, "out") = c_transform(fitted(own.mesh, checked_points(points, point_count)));
   });
 }

@@ -26,6 +26,9 @@ struct CheckedMesh {
 [[nodiscard]] CheckedMesh with_corners(const float* corners, std::size_t corner_count,
                                        std::vector<glm::uvec3> triangles);
 
+/// Throws a Refusal that names the first bad point.
+[[nodiscard]] std::vector<glm::dvec3> checked_points(const float* points, std::size_t count);
+
 /// Takes the mesh and the points into the cube. Throws a Refusal if all are in one place.
 [[nodiscard]] ref::Normalisation fitted(const ref::Mesh& mesh, std::span<const glm::dvec3> points = {});
 

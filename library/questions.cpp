@@ -24,7 +24,7 @@ constexpr std::size_t rays_between_looks = 16;
 
 /// Calls ask(ray, i) for each ray. Before the first call all rays are checked; a Refusal names the first bad one.
 template <class Ask>
-void ask_each(const hitpipe_scene& scene, std::span<const hitpipe_ray> rays, int threads, const Ask& ask) {
+void ask_each(const SceneState& scene, std::span<const hitpipe_ray> rays, int threads, const Ask& ask) {
   host::with_threads(checked_threads(threads), [&] {
     std::atomic<std::size_t> bad = rays.size();
     host::for_each_block(0, rays.size(), block, [&](std::size_t first, std::size_t last) {
@@ -54,10 +54,11 @@ void ask_each(const hitpipe_scene& scene, std::span<const hitpipe_ray> rays, int
 
 /// The triangle's number in the caller's mesh.
 std::uint32_t number_of(const Placed& placed, std::uint32_t triangle) {
-  return triangle == ref::Hit::none ? HITPIPE_NO_TRIANGLE : placed.numbers[triangle];
+  if (triangle == ref::Hit::none) return HITPIPE_NO_TRIANGLE;
+  return placed.numbers.empty() ? triangle : placed.numbers[triangle];
 }
 
-void store(const hitpipe_scene& scene, const Placed& placed, const ref::NearestHit& hit,
+void store(const SceneState& scene, const Placed& placed, const ref::NearestHit& hit,
            const hitpipe_nearest_out& out, std::size_t i) {
   if (out.triangle != nullptr) out.triangle[i] = number_of(placed, hit.triangle);
   if (out.t != nullptr) out.t[i] = own_t(scene, hit.t);
@@ -80,54 +81,60 @@ hitpipe_status hitpipe_nearest(const hitpipe_scene* scene, const hitpipe_ray* ra
                                int threads, const hitpipe_nearest_out* out) {
   return guarded([&] {
     using hitpipe::ref::HitDetail;
-    const auto placed = given(scene, "scene").placed();
+    const auto placed = given(scene, "scene").state->placed();
     const hitpipe::ref::RayQueries* const queries = placed->queries.get();
     const hitpipe_nearest_out places = given(out, "out");
     const HitDetail detail = places.weights != nullptr ? HitDetail::weights
                              : places.t != nullptr     ? HitDetail::distance
                                                        : HitDetail::triangle;
-    ask_each(*scene, given(rays, ray_count), threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
-      const auto hit = queries == nullptr ? hitpipe::ref::NearestHit{} : queries->nearest(ray, detail);
-      store(*scene, *placed, hit, places, i);
-    });
+    ask_each(
+        *scene->state, given(rays, ray_count), threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
+          const auto hit =
+              queries == nullptr ? hitpipe::ref::NearestHit{} : queries->nearest(ray, detail, scene->mask);
+          store(*scene->state, *placed, hit, places, i);
+        });
   });
 }
 
 hitpipe_status hitpipe_any(const hitpipe_scene* scene, const hitpipe_ray* rays, size_t ray_count, int threads,
                            uint8_t* met) {
   return guarded([&] {
-    const auto placed = given(scene, "scene").placed();
+    const auto placed = given(scene, "scene").state->placed();
     const hitpipe::ref::RayQueries* const queries = placed->queries.get();
     if (ray_count != 0) static_cast<void>(given(met, "met"));
-    ask_each(*scene, given(rays, ray_count), threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
-      met[i] = queries != nullptr && queries->any(ray) ? 1 : 0;
-    });
+    ask_each(*scene->state, given(rays, ray_count), threads,
+             [&](const hitpipe::ref::Ray& ray, std::size_t i) {
+               met[i] = queries != nullptr && queries->any(ray, scene->mask) ? 1 : 0;
+             });
   });
 }
 
 hitpipe_status hitpipe_count(const hitpipe_scene* scene, const hitpipe_ray* rays, size_t ray_count,
                              int threads, uint32_t* crossings, int32_t* sides) {
   return guarded([&] {
-    const auto placed = given(scene, "scene").placed();
+    const auto placed = given(scene, "scene").state->placed();
     const hitpipe::ref::RayQueries* const queries = placed->queries.get();
-    ask_each(*scene, given(rays, ray_count), threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
-      const auto count = queries == nullptr ? hitpipe::ref::CrossingCount{} : queries->count(ray);
-      if (crossings != nullptr) crossings[i] = static_cast<uint32_t>(count.crossings);
-      if (sides != nullptr) sides[i] = static_cast<int32_t>(count.sides);
-    });
+    ask_each(*scene->state, given(rays, ray_count), threads,
+             [&](const hitpipe::ref::Ray& ray, std::size_t i) {
+               const auto count =
+                   queries == nullptr ? hitpipe::ref::CrossingCount{} : queries->count(ray, scene->mask);
+               if (crossings != nullptr) crossings[i] = static_cast<uint32_t>(count.crossings);
+               if (sides != nullptr) sides[i] = static_cast<int32_t>(count.sides);
+             });
   });
 }
 
 hitpipe_status hitpipe_all(const hitpipe_scene* scene, const hitpipe_ray* rays, size_t ray_count, int threads,
                            const hitpipe_all_out* out) {
   return guarded([&] {
-    const auto placed = given(scene, "scene").placed();
+    const auto placed = given(scene, "scene").state->placed();
     const hitpipe_all_out places = given(out, "out");
     uint64_t* const offsets = &given(places.offsets, "offsets");
     std::vector<std::vector<hitpipe::ref::RayCrossing>> found(ray_count);
-    ask_each(*scene, given(rays, ray_count), threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
-      if (placed->queries) placed->queries->all(ray, found[i]);
-    });
+    ask_each(*scene->state, given(rays, ray_count), threads,
+             [&](const hitpipe::ref::Ray& ray, std::size_t i) {
+               if (placed->queries) placed->queries->all(ray, found[i], scene->mask);
+             });
     offsets[0] = 0;
     for (std::size_t i = 0; i < ray_count; ++i) offsets[i + 1] = offsets[i] + found[i].size();
     if (offsets[ray_count] > places.capacity) return;
@@ -135,7 +142,7 @@ hitpipe_status hitpipe_all(const hitpipe_scene* scene, const hitpipe_ray* rays, 
       for (std::size_t k = 0; k < found[i].size(); ++k) {
         const std::size_t at = offsets[i] + k;
         if (places.triangle != nullptr) places.triangle[at] = number_of(*placed, found[i][k].triangle);
-        if (places.t != nullptr) places.t[at] = own_t(*scene, found[i][k].t);
+        if (places.t != nullptr) places.t[at] = own_t(*scene->state, found[i][k].t);
         if (places.side != nullptr) places.side[at] = static_cast<int8_t>(found[i][k].side);
       }
     }
@@ -145,9 +152,10 @@ hitpipe_status hitpipe_all(const hitpipe_scene* scene, const hitpipe_ray* rays, 
 hitpipe_status hitpipe_inside(const hitpipe_scene* scene, const float* points, size_t point_count,
                               int threads, uint8_t* inside) {
   return guarded([&] {
-    const auto placed = given(scene, "scene").placed();
+    const auto placed = given(scene, "scene").state->placed();
     const hitpipe::ref::RayQueries* const queries = placed->queries.get();
-    const hitpipe::ref::Closedness& closedness = placed->closedness();
+    const hitpipe::ref::Closedness& closedness =
+        scene->state->instanced ? scene->state->instanced->closedness : placed->closedness();
     if (!closedness.even())
       throw Refusal(HITPIPE_NOT_CLOSED,
                     fmt::format("the mesh is not closed: {} of its {} edges have an odd number of triangles",
@@ -159,8 +167,8 @@ hitpipe_status hitpipe_inside(const hitpipe_scene* scene, const float* points, s
     std::vector<hitpipe_ray> rays;
     rays.reserve(point_count);
     for (std::size_t i = 0; i < point_count; ++i) rays.push_back(from_point(points + 3 * i));
-    ask_each(*scene, rays, threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
-      inside[i] = queries != nullptr && queries->count(ray).inside() ? 1 : 0;
+    ask_each(*scene->state, rays, threads, [&](const hitpipe::ref::Ray& ray, std::size_t i) {
+      inside[i] = queries != nullptr && queries->count(ray, scene->mask).inside() ? 1 : 0;
     });
   });
 }

@@ -29,7 +29,7 @@ namespace {
 constexpr std::string_view float_world = "float";
 
 /// Over all triangles. Of an integer world it is the hierarchy of a core's image.
-ref::Bvh built(const hitpipe_scene& scene, const Placed& placed, int threads) {
+ref::Bvh built(const SceneState& scene, const Placed& placed, int threads) {
   if (placed.mesh.triangles.empty()) return {};
   ref::BuildOptions options = ref::surface_area_build;
   options.padding = 0.0F;
@@ -52,24 +52,8 @@ ref::Bvh built(const hitpipe_scene& scene, const Placed& placed, int threads) {
   return ref::build_bvh(mesh, options);
 }
 
-std::optional<hls::WorldBits> chosen_world(const char* world) {
-  if (world == nullptr || world == float_world) return std::nullopt;
-  const auto& family = family_of<hls::WorldBits>;
-  if (const auto numbers = family.parse(world); numbers && family.valid(*numbers)) {
-    const auto bits = Format(family, *numbers).as<hls::WorldBits>();
-    // What a triangle unit says more than HIT.
-    if (bits.weights == 0 && bits.crossings == 0) return bits;
-  }
-  throw Refusal(HITPIPE_BAD_FORMAT,
-                fmt::format("world {}: allowed is \"float\", or n+gsS or n+gsStF with n in {}..{}, g in "
-                            "0..{}, S in {}..{} and F in 1..{}, for example \"20+1s20\"",
-                            host::shortened(world), hls::WorldBits::min_coord, hls::WorldBits::max_coord,
-                            hls::WorldBits::max_finer, hls::WorldBits::min_slope, hls::WorldBits::max_slope,
-                            hls::WorldBits::max_fraction));
-}
-
 /// The mesh is in the scene's world, and has no queries yet.
-std::unique_ptr<Placed> on_its_grid(const hitpipe_scene& scene, ref::Mesh mesh) {
+std::unique_ptr<Placed> on_its_grid(const SceneState& scene, ref::Mesh mesh) {
   auto made = std::make_unique<Placed>();
   made->mesh = std::move(mesh);
   if (!scene.bits) {
@@ -84,7 +68,7 @@ std::unique_ptr<Placed> on_its_grid(const hitpipe_scene& scene, ref::Mesh mesh) 
   return made;
 }
 
-void add_queries(const hitpipe_scene& scene, Placed& placed) {
+void add_queries(const SceneState& scene, Placed& placed) {
   if (placed.numbers.empty()) return;
   placed.bvh =
       ref::refitted(scene.tree, placed.int_mesh ? placed.int_mesh->mesh : placed.mesh, placed.numbers);
@@ -93,7 +77,7 @@ void add_queries(const hitpipe_scene& scene, Placed& placed) {
 }
 
 /// Of a ray that takes_ray() refuses.
-std::string why_refused(const hitpipe_scene& scene, const hitpipe_ray& ray) {
+std::string why_refused(const SceneState& scene, const hitpipe_ray& ray) {
   for (int axis = 0; axis < 3; ++axis) {
     const char name = "xyz"[axis];
     if (!(std::abs(ray.origin[axis]) <= most_coordinate))
@@ -119,20 +103,36 @@ std::size_t without_area(const Placed& scene) {
 
 }  // namespace
 
+std::optional<hls::WorldBits> chosen_world(const char* world) {
+  if (world == nullptr || world == float_world) return std::nullopt;
+  const auto& family = family_of<hls::WorldBits>;
+  if (const auto numbers = family.parse(world); numbers && family.valid(*numbers)) {
+    const auto bits = Format(family, *numbers).as<hls::WorldBits>();
+    // What a triangle unit says more than HIT.
+    if (bits.weights == 0 && bits.crossings == 0) return bits;
+  }
+  throw Refusal(HITPIPE_BAD_FORMAT,
+                fmt::format("world {}: allowed is \"float\", or n+gsS or n+gsStF with n in {}..{}, g in "
+                            "0..{}, S in {}..{} and F in 1..{}, for example \"20+1s20\"",
+                            host::shortened(world), hls::WorldBits::min_coord, hls::WorldBits::max_coord,
+                            hls::WorldBits::max_finer, hls::WorldBits::min_slope, hls::WorldBits::max_slope,
+                            hls::WorldBits::max_fraction));
+}
+
 const ref::Closedness& Placed::closedness() const {
   const std::scoped_lock lock(finding_);
   if (!closedness_) closedness_ = int_mesh ? ref::closedness(*int_mesh) : ref::closedness(mesh);
   return *closedness_;
 }
 
-ref::Ray in_world(const hitpipe_scene& scene, const hitpipe_ray& ray) {
+ref::Ray in_world(const SceneState& scene, const hitpipe_ray& ray) {
   const glm::vec3 origin(ray.origin[0], ray.origin[1], ray.origin[2]);
   const glm::vec3 direction(ray.direction[0], ray.direction[1], ray.direction[2]);
   if (!scene.bits) return {origin, direction, ray.length};
   return ref::ray_to_cube(glm::dvec3(origin), glm::dvec3(direction), ray.length, scene.transform);
 }
 
-bool takes_ray(const hitpipe_scene& scene, const hitpipe_ray& ray) {
+bool takes_ray(const SceneState& scene, const hitpipe_ray& ray) {
   bool good = ray.length >= 0.0F && scene.origins.hold({ray.origin[0], ray.origin[1], ray.origin[2]});
   bool moves = false;
   for (const float component : ray.direction) {
@@ -149,7 +149,7 @@ int checked_threads(int threads) {
   return threads;
 }
 
-ref::Ray ray_of_scene(const hitpipe_scene& scene, const hitpipe_ray& ray, std::size_t i) {
+ref::Ray ray_of_scene(const SceneState& scene, const hitpipe_ray& ray, std::size_t i) {
   if (!takes_ray(scene, ray))
     throw Refusal(HITPIPE_BAD_RAY, fmt::format("ray {}: {}", i, why_refused(scene, ray)));
   return in_world(scene, ray);
@@ -165,7 +165,7 @@ hitpipe_status hitpipe_scene_open(const hitpipe_mesh* mesh, const hitpipe_scene_
   return guarded([&] {
     static_cast<void>(given(out, "out"));
     const hitpipe_scene_options chosen = options == nullptr ? hitpipe_scene_options{} : *options;
-    auto scene = std::make_unique<hitpipe_scene>();
+    auto scene = std::make_shared<SceneState>();
     scene->bits = chosen_world(chosen.world);
     scene->world = scene->bits ? hitpipe::to_string(hitpipe::Format(*scene->bits)) : float_world;
     if (!scene->bits && chosen.transform != nullptr)
@@ -187,7 +187,7 @@ hitpipe_status hitpipe_scene_open(const hitpipe_mesh* mesh, const hitpipe_scene_
       add_queries(*scene, *placed);
       scene->place(std::move(placed));
     });
-    *out = scene.release();
+    *out = new hitpipe_scene{std::move(scene)};
   });
 }
 
@@ -197,29 +197,36 @@ void hitpipe_scene_close(hitpipe_scene* scene) {
 
 hitpipe_status hitpipe_scene_describe(const hitpipe_scene* scene, hitpipe_scene_info* out) {
   return guarded([&] {
-    const auto placed = given(scene, "scene").placed();
-    const hitpipe::ref::Closedness& closedness = placed->closedness();
-    const hitpipe::ref::Normalisation& moved = scene->transform;
-    given(out, "out") = {.world = scene->world.c_str(),
-                         .triangles = placed->mesh.triangles.size(),
-                         .without_area = without_area(*placed),
-                         .closed = closedness.even() ? 1 : 0,
-                         .oriented = closedness.balanced() ? 1 : 0,
-                         .odd_edges = closedness.odd,
-                         .transform = {{moved.offset.x, moved.offset.y, moved.offset.z}, moved.scale}};
+    const SceneState& state = *given(scene, "scene").state;
+    const Instanced* const instanced = state.instanced.get();
+    const auto placed = state.placed();
+    const hitpipe::ref::Closedness& closedness =
+        instanced != nullptr ? instanced->closedness : placed->closedness();
+    const hitpipe::ref::Normalisation& moved = state.transform;
+    given(out, "out") = {
+        .world = state.world.c_str(),
+        .triangles = instanced != nullptr ? instanced->world.triangle_count() : placed->mesh.triangles.size(),
+        .without_area = instanced != nullptr ? instanced->without_area : without_area(*placed),
+        .closed = closedness.even() ? 1 : 0,
+        .oriented = closedness.balanced() ? 1 : 0,
+        .odd_edges = closedness.odd,
+        .transform = {{moved.offset.x, moved.offset.y, moved.offset.z}, moved.scale}};
   });
 }
 
 hitpipe_status hitpipe_scene_move(hitpipe_scene* scene, const float* corners, int threads) {
   return guarded([&] {
-    const auto before = given(scene, "scene").placed();
+    SceneState& state = *given(scene, "scene").state;
+    if (state.instanced)
+      throw Refusal(HITPIPE_BAD_ARGUMENT, "the scene has instances; hitpipe_scene_place() moves them");
+    const auto before = state.placed();
     CheckedMesh own =
         with_corners(&given(corners, "corners"), before->mesh.vertices.size(), before->mesh.triangles);
-    if (scene->bits) move_into_cube(own, scene->transform);
+    if (state.bits) move_into_cube(own, state.transform);
     hitpipe::host::with_threads(checked_threads(threads), [&] {
-      auto placed = on_its_grid(*scene, std::move(own.mesh));
-      add_queries(*scene, *placed);
-      scene->place(std::move(placed));
+      auto placed = on_its_grid(state, std::move(own.mesh));
+      add_queries(state, *placed);
+      state.place(std::move(placed));
     });
   });
 }

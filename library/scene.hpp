@@ -5,7 +5,10 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <shared_mutex>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hitpipe/scene.h"
@@ -13,10 +16,13 @@
 #include "rays/mesh/mesh.hpp"
 #include "rays/mesh/ray.hpp"
 #include "rays/scene/normalise.hpp"
+#include "rays/trace/int_fast_scene.hpp"
 #include "rays/trace/ray_queries.hpp"
 #include "rays/tree/bvh.hpp"
 #include "rays/tree/closed.hpp"
+#include "rays/world/instances.hpp"
 #include "rays/world/int_mesh.hpp"
+#include "rays/world/own_instances.hpp"
 #include "rays/world/to_cube.hpp"
 
 namespace hitpipe::library {
@@ -37,46 +43,88 @@ struct Placed {
   mutable std::optional<ref::Closedness> closedness_;
 };
 
-}  // namespace hitpipe::library
+/// A scene of meshes and instances. Whoever asks holds it, and a move waits until nobody does.
+struct Instanced {
+  Instanced(std::span<const ref::SourceMesh> meshes, std::vector<ref::OwnInstance> its_instances,
+            std::vector<std::uint32_t> its_numbers, const ref::Normalisation& transform,
+            const hls::WorldBits& bits, int threads);
 
-struct hitpipe_scene {
+  std::vector<ref::OwnInstance> instances;
+  std::vector<std::uint32_t> numbers;  ///< the caller's, by instance
+  ref::InstanceGrids grids;
+  ref::IntInstances world;
+  std::shared_ptr<ref::FastInstances> triangles;
+  /// The flattened mesh is closed if each mesh is.
+  ref::Closedness closedness;
+  std::size_t without_area = 0;
+};
+
+/// What is asked, for as long as somebody asks.
+class Held {
+ public:
+  Held(std::shared_ptr<const Placed> placed, std::shared_lock<std::shared_mutex> stays)
+      : placed_(std::move(placed)), stays_(std::move(stays)) {}
+  const Placed* operator->() const { return placed_.get(); }
+  const Placed& operator*() const { return *placed_; }
+
+ private:
+  std::shared_ptr<const Placed> placed_;
+  std::shared_lock<std::shared_mutex> stays_;
+};
+
+struct SceneState {
   std::string world;
-  std::optional<hitpipe::hls::WorldBits> bits;  ///< nothing: the float world
-  hitpipe::ref::Normalisation transform;        ///< of the float world it moves nothing
-  hitpipe::ref::Origins origins;                ///< of rays, in the caller's units
-  hitpipe::ref::Bvh tree;                       ///< over all triangles; its boxes are of the first corners
+  std::optional<hls::WorldBits> bits;  ///< nothing: the float world
+  ref::Normalisation transform;        ///< of the float world it moves nothing
+  ref::Origins origins;                ///< of rays, in the caller's units
+  ref::Bvh tree;                       ///< over all triangles; its boxes are of the first corners
+  std::unique_ptr<Instanced> instanced;
+  mutable std::shared_mutex instances_stay;
 
-  /// Where it is now. Whoever holds that keeps it, though the scene moves: nobody waits for anybody.
-  [[nodiscard]] std::shared_ptr<const hitpipe::library::Placed> placed() const {
+  /// Where it is now. Whoever holds a mesh keeps it, though the scene moves: nobody waits for anybody. Instances stay
+  /// while they are held.
+  [[nodiscard]] Held placed() const {
+    std::shared_lock<std::shared_mutex> stays;
+    if (instanced) stays = std::shared_lock(instances_stay);
     const std::scoped_lock lock(placing_);
-    return placed_;
+    return {placed_, std::move(stays)};
   }
-  void place(std::shared_ptr<const hitpipe::library::Placed> there) {
+  void place(std::shared_ptr<const Placed> there) {
     const std::scoped_lock lock(placing_);
     placed_.swap(there);
   }
 
  private:
   mutable std::mutex placing_;
-  std::shared_ptr<const hitpipe::library::Placed> placed_;
+  std::shared_ptr<const Placed> placed_;
+};
+
+}  // namespace hitpipe::library
+
+struct hitpipe_scene {
+  std::shared_ptr<hitpipe::library::SceneState> state;
+  std::uint8_t mask = hitpipe::ref::IntInstance::all_masks;  ///< of its rays
 };
 
 namespace hitpipe::library {
 
 /// Ray `i` of a caller as the scene's world takes it: in the cube, of an integer world. Throws a Refusal that names the
 /// ray.
-[[nodiscard]] ref::Ray ray_of_scene(const hitpipe_scene& scene, const hitpipe_ray& ray, std::size_t i);
+[[nodiscard]] ref::Ray ray_of_scene(const SceneState& scene, const hitpipe_ray& ray, std::size_t i);
 
 /// A ray that takes_ray() takes, as ray_of_scene() gives it.
-[[nodiscard]] ref::Ray in_world(const hitpipe_scene& scene, const hitpipe_ray& ray);
+[[nodiscard]] ref::Ray in_world(const SceneState& scene, const hitpipe_ray& ray);
 
 /// Whether ray_of_scene() takes the ray, whatever its number.
-[[nodiscard]] bool takes_ray(const hitpipe_scene& scene, const hitpipe_ray& ray);
+[[nodiscard]] bool takes_ray(const SceneState& scene, const hitpipe_ray& ray);
 
 /// What t of the world is in the caller's units: the direction stays as it is.
-[[nodiscard]] inline double own_t(const hitpipe_scene& scene, double t) {
+[[nodiscard]] inline double own_t(const SceneState& scene, double t) {
   return t / scene.transform.scale;
 }
+
+/// Of NULL or "float" nothing. Throws a Refusal for a world that there is not.
+[[nodiscard]] std::optional<hls::WorldBits> chosen_world(const char* world);
 
 /// Throws a Refusal for a number of threads that is not allowed.
 [[nodiscard]] int checked_threads(int threads);

@@ -106,6 +106,13 @@ Items<hitpipe_node> nodes_of(const py::object& given) {
   return items<hitpipe_node>(array, static_cast<std::size_t>(array.shape(0)));
 }
 
+Items<hitpipe_instance> instances_of(const py::object& given) {
+  const py::array array = array_of(given, "instances");
+  if (!array.dtype().equal(py::dtype::of<hitpipe_instance>()) || array.ndim() != 1)
+    refuse_type(array, "instances", "hitpipe.instances_dtype, of shape (I,)");
+  return items<hitpipe_instance>(array, static_cast<std::size_t>(array.shape(0)));
+}
+
 Items<std::uint32_t> numbers_of(const py::object& given, const std::string& what, std::size_t count) {
   const py::array array = array_of(given, what);
   if (!array.dtype().equal(py::dtype::of<std::uint32_t>())) refuse_type(array, what, "uint32");

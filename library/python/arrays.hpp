@@ -56,6 +56,8 @@ extern template Items<std::uint32_t> rows_of(const py::object&, const std::strin
                                        const std::vector<py::ssize_t>& columns);
 /// hitpipe.nodes_dtype, one after the other.
 [[nodiscard]] Items<hitpipe_node> nodes_of(const py::object& given);
+/// hitpipe.instances_dtype, one after the other.
+[[nodiscard]] Items<hitpipe_instance> instances_of(const py::object& given);
 /// So many numbers.
 [[nodiscard]] Items<std::uint32_t> numbers_of(const py::object& given, const std::string& what,
                                               std::size_t count);

@@ -75,9 +75,51 @@ class PythonScene {
     own_.emplace(rows<Point>(points), rows<TriangleCorners>(indices), options);
   }
 
+  /// `meshes` are pairs of corners and triangles.
+  static PythonScene of_instances(const py::sequence& meshes, const py::object& instances,
+                                  const std::string& world, const py::object& transform,
+                                  const py::object& contains, int threads) {
+    std::vector<Items<float>> points;
+    std::vector<Items<std::uint32_t>> indices;
+    std::vector<InstanceMesh> own_meshes;
+    for (const py::handle& mesh : meshes) {
+      const auto pair = py::cast<py::sequence>(mesh);
+      if (pair.size() != 2) throw Refusal("meshes: each is a pair of corners and triangles");
+      points.push_back(rows_of<float>(pair[0], "corners", 3));
+      indices.push_back(rows_of<std::uint32_t>(pair[1], "triangles", 3));
+      own_meshes.push_back({rows<Point>(points.back()), rows<TriangleCorners>(indices.back())});
+    }
+    const auto own_instances = instances_of(instances);
+    SceneOptions options{.world = world, .threads = threads};
+    Transform own_transform{};
+    if (!transform.is_none()) {
+      own_transform = transform_of(transform);
+      options.transform = &own_transform;
+    }
+    std::optional<Items<float>> own_contains;
+    if (!contains.is_none()) {
+      own_contains = rows_of<float>(contains, "contains", 3);
+      options.contains = rows<Point>(*own_contains);
+    }
+    const Working others_run;
+    return PythonScene(Scene::of_instances(own_meshes, {own_instances.first, own_instances.count}, options));
+  }
+
   [[nodiscard]] SceneInfo info() const {
     const Working others_run;
     return own_->info();
+  }
+  void place(std::size_t first, const py::object& matrices, int threads) {
+    const py::array array = py::array::ensure(matrices);
+    if (!array) throw Refusal("matrices: no array");
+    const auto own = doubles_of(array, "matrices", {3, 4});
+    const Working others_run;
+    own_->place(first, {reinterpret_cast<const Matrix*>(own.first), own.count}, threads);
+  }
+  [[nodiscard]] PythonScene masked(std::uint8_t mask) const { return PythonScene(own_->masked(mask)); }
+  [[nodiscard]] py::array_t<hitpipe_part> parts(const py::object& triangles) const {
+    const auto own = numbers_of(triangles, "triangles", py::len(triangles));
+    return array_of<hitpipe_part>(own_->parts({own.first, own.count}));
   }
   void move(const py::object& corners, int threads) {
     const auto points = rows_of<float>(corners, "corners", 3);
@@ -130,6 +172,8 @@ class PythonScene {
   }
 
  private:
+  explicit PythonScene(Scene&& own) : own_(std::move(own)) {}
+
   template <class Row, class T>
   static std::span<const Row> rows(const Items<T>& items) {
     static_assert(sizeof(Row) == 3 * sizeof(T));
@@ -145,6 +189,10 @@ class PythonScene {
 void add_scene(py::module_& m) {
   PYBIND11_NUMPY_DTYPE(hitpipe_node, first, count);
   PYBIND11_NUMPY_DTYPE(hitpipe_integer_ray, origin, direction, negative, major, length);
+  PYBIND11_NUMPY_DTYPE(hitpipe_instance, mesh, number, matrix, mask);
+  PYBIND11_NUMPY_DTYPE(hitpipe_part, instance, number, mesh, triangle);
+  m.attr("instances_dtype") = py::dtype::of<hitpipe_instance>();
+  m.attr("parts_dtype") = py::dtype::of<hitpipe_part>();
   m.attr("nodes_dtype") = py::dtype::of<hitpipe_node>();
   m.attr("integer_rays_dtype") = py::dtype::of<hitpipe_integer_ray>();
   m.attr("no_triangle") = py::int_(HITPIPE_NO_TRIANGLE);
@@ -191,6 +239,19 @@ void add_scene(py::module_& m) {
            py::arg("corners"), py::arg("triangles"), py::arg("world") = "float", py::kw_only(),
            py::arg("transform") = py::none(), py::arg("nodes") = py::none(), py::arg("order") = py::none(),
            py::arg("contains") = py::none(), py::arg("threads") = 0)
+      .def_static(
+          "of_instances", &PythonScene::of_instances, py::arg("meshes"), py::arg("instances"),
+          py::arg("world"), py::kw_only(), py::arg("transform") = py::none(),
+          py::arg("contains") = py::none(), py::arg("threads") = 0,
+          "Meshes in many places, in an integer world. `meshes` are pairs of corners and triangles;\n"
+          "`instances` is an array of hitpipe.instances_dtype, (I,): mesh, a number of yours, matrix of\n"
+          "three rows of four, mask. Answers are those of one mesh with all triangles of all instances.")
+      .def("place", &PythonScene::place, py::arg("first"), py::arg("matrices"), py::kw_only(),
+           py::arg("threads") = 0, "New matrices, (N, 3, 4) of float64, for the instances from `first` on.")
+      .def("masked", &PythonScene::masked, py::arg("mask"),
+           "The same scene for rays with this mask: they see instances that have a bit of it.")
+      .def("parts", &PythonScene::parts, py::arg("triangles"),
+           "What triangles of answers are: hitpipe.parts_dtype, (N,).")
       .def_property_readonly("info", &PythonScene::info, "A hitpipe.SceneInfo.", py::keep_alive<0, 1>())
       .def("move", &PythonScene::move, py::arg("corners"), py::kw_only(), py::arg("threads") = 0,
            "New places for all corners; the triangles stay.")

@@ -1,6 +1,7 @@
 #include "rays/exact/major_quotient.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "rays/exact/binary32.hpp"
@@ -35,6 +36,15 @@ MajorQuotient quotient_bounds(std::uint64_t above, std::uint64_t below, int expo
   // The upper bound would be 2: half of it, with the next exponent.
   if (exponent == bits.largest_exponent()) return largest_quotient(bits);
   return {largest >> 1, (largest >> 1) + 1, exponent + 1};
+}
+
+MajorQuotient quotient_of(std::uint64_t above, std::uint64_t below, const hls::MajorBits& bits) {
+  if (below == 0) {
+    const std::uint32_t one = 1U << static_cast<unsigned>(bits.mantissa - 1);
+    return {one, one, bits.largest_exponent()};
+  }
+  const int shift = std::countl_zero(below) - std::countl_zero(above);
+  return quotient_bounds(above, below << shift, shift, bits);
 }
 
 int major_axis(const glm::vec3& direction) {

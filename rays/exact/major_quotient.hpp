@@ -23,10 +23,12 @@ struct MajorQuotient {
 /// Both mantissas and the exponent are the largest.
 [[nodiscard]] MajorQuotient largest_quotient(const hls::MajorBits& bits);
 
-/// Bounds of above / below 2^exponent, which is at least 1. Both numbers have the same leading bit, and it is
-/// at most bit 32.
+/// Bounds of above / below 2^exponent, which is at least 1. Both numbers have the same leading bit.
 [[nodiscard]] MajorQuotient quotient_bounds(std::uint64_t above, std::uint64_t below, int exponent,
                                             const hls::MajorBits& bits);
+/// Of above / below, which is at least 1, in the integer world: where below is 0, both mantissas are 2^(p-1) with the
+/// largest exponent.
+[[nodiscard]] MajorQuotient quotient_of(std::uint64_t above, std::uint64_t below, const hls::MajorBits& bits);
 
 /// The axis of the largest component; ties go to the lower axis.
 [[nodiscard]] int major_axis(const glm::vec3& direction);

@@ -87,7 +87,7 @@ std::array<IntBox, 2> boxes_in(const PairBoxes& pair, const IntBox& common) {
 class ImageWriter {
  public:
   explicit ImageWriter(const IntScene& scene) : scene_(scene), bvh_(*scene.bvh) {
-    boxes_ = int_boxes(scene.mesh, bvh_);
+    boxes_ = int_boxes(scene.mesh.triangles, bvh_);
   }
 
   CoreImage written() {

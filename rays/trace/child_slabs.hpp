@@ -8,6 +8,9 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
+
+#include <glm/vec3.hpp>
 
 #include "rays/mesh/ray.hpp"
 #include "rays/trace/lanes.hpp"
@@ -31,6 +34,14 @@ struct FourLanes {
   }
 };
 
+/// A ray in a space where it is known but for a slack. Coordinates are below 2^25 in size.
+struct SlackRay {
+  glm::vec3 ahead{0};      ///< the origin and the slack, rounded up
+  glm::vec3 behind{0};     ///< the origin less the slack, rounded down
+  glm::vec3 direction{0};  ///< rounded by 2^-24 at most
+  float length = 0;
+};
+
 /// How distances are widened so that no box is missed.
 enum class Widening : std::uint8_t {
   of_distances,  ///< each by a product and a difference: answers and distances of ConservativeSlabs
@@ -50,10 +61,13 @@ enum class Widening : std::uint8_t {
 /// plane, or above t* and so the length, and none of a far plane is below 0. Rounding is monotone, also where
 /// it underflows, so this order stays. A zero d, or one out of range, is as in ConservativeSlabs. Directions that are
 /// themselves rounded by u have a rounding more: (1 + u)^4 (1 - c) <= (1 - u)^4, so the order stays too.
-template <class Lanes, std::size_t width, Widening widening>
+///
+/// SlackRay: the exact ray is within its slack of the one that is given, by axis. Near planes are seen from so far ahead and
+/// far ones from so far behind, both rounded outward, and the exact ray meets the box that lies between.
+template <class Lanes, std::size_t width, Widening widening, class ItsRay = Ray>
 class ChildSlabs {
  public:
-  explicit ChildSlabs(const Ray& ray) {
+  explicit ChildSlabs(const ItsRay& ray) {
     for (int axis = 0; axis < 3; ++axis) {
       const bool minus = std::signbit(ray.direction[axis]);
       const float size = slab_inverse<float>(ray.direction[axis]);
@@ -62,7 +76,12 @@ class ChildSlabs {
       Slab& slab = slabs_[axis];
       slab.near = width * (minus ? low + 3 : low);
       slab.far = width * (minus ? low : low + 3);
-      slab.origin = Floats{} + ray.origin[axis];
+      if constexpr (has_slack) {
+        slab.near_origin = Floats{} + (minus ? ray.behind[axis] : ray.ahead[axis]);
+        slab.origin = Floats{} + (minus ? ray.ahead[axis] : ray.behind[axis]);
+      } else {
+        slab.origin = Floats{} + ray.origin[axis];
+      }
       slab.near_inverse = Floats{} + inverse * (at_once ? 1 - c : 1);
       slab.far_inverse = Floats{} + inverse;
     }
@@ -85,7 +104,7 @@ class ChildSlabs {
       Floats entry{};
       Floats exit = length_;
       for (const Slab& slab : slabs_) {
-        Floats near = (load(first + slab.near + part) - slab.origin) * slab.near_inverse;
+        Floats near = (load(first + slab.near + part) - near_origin(slab)) * slab.near_inverse;
         Floats far = (load(first + slab.far + part) - slab.origin) * slab.far_inverse;
         if constexpr (!at_once) {
           near = near * (1 - c) - least;
@@ -106,10 +125,22 @@ class ChildSlabs {
   static constexpr float c = 0x1p-20F;
   static constexpr float least = std::numeric_limits<float>::min();
 
-  struct Slab {
-    Floats origin, near_inverse, far_inverse;
+  static constexpr bool has_slack = std::is_same_v<ItsRay, SlackRay>;
+
+  struct OneOrigin {
+    Floats origin;
+  };
+  struct TwoOrigins : OneOrigin {
+    Floats near_origin;
+  };
+  struct Slab : std::conditional_t<has_slack, TwoOrigins, OneOrigin> {
+    Floats near_inverse, far_inverse;
     std::size_t near, far;  ///< where its planes begin
   };
+  static const Floats& near_origin(const Slab& slab) {
+    if constexpr (has_slack) return slab.near_origin;
+    return slab.origin;
+  }
 
   static Floats load(const float* planes) {
     Floats loaded;

@@ -17,8 +17,8 @@ template <int width>
 class FastSceneOf final : public FastScene {
  public:
   FastSceneOf(const Bvh& bvh, const std::function<Mesh::Corners(std::uint32_t)>& corners,
-              FastTrace<width> its_trace)
-      : trace_(its_trace) {
+              const FastTraces<width>& traces)
+      : traces_(traces) {
     const WideNodes<WideFloatNode<width>> wide(joined_leaves(bvh, most_in_pack), most_in_pack);
     nodes_.reserve(wide.size());
     for (std::uint32_t number = 0; number < wide.size(); ++number) {
@@ -41,32 +41,110 @@ class FastSceneOf final : public FastScene {
   }
 
   void walk(const Ray& ray, float reach, FastSink& sink, FastWork& work) const override {
-    trace_(view_, ray, reach, sink, work);
+    traces_.mesh(view_, ray, reach, sink, work);
   }
+  void walk(const PlacedRay& ray, FastSink& sink) const override { traces_.placed(view_, ray, sink); }
   [[nodiscard]] std::size_t bytes_per_node() const override { return sizeof(WideFloatNode<width>); }
   [[nodiscard]] std::size_t node_count() const override { return nodes_.size(); }
 
  private:
-  FastTrace<width> trace_;
+  const FastTraces<width>& traces_;
   std::vector<WideFloatNode<width>> nodes_;
   std::vector<TrianglePack> packs_;
   FastView<width> view_{};
 };
 
+template <int width>
+class FastBoxesOf final : public FastBoxes {
+ public:
+  FastBoxesOf(const Bvh& bvh, const FastTraces<width>& traces) : traces_(traces) {
+    const WideNodes<WideFloatNode<width>> wide(bvh, most_in_pack);
+    order_.assign(wide.order().begin(), wide.order().end());
+    parents_.resize(wide.size());
+    leaves_.resize(order_.size());
+    for (std::uint32_t number = 0; number < wide.size(); ++number) {
+      const WideFloatNode<width>& node = nodes_.emplace_back(wide.node(number));
+      for (std::uint8_t i = 0; i < node.children_count; ++i) {
+        const NodeRef child = node.child(i);
+        if (child.is_branch()) parents_[child.first] = {number, i};
+        for (std::uint32_t k = 0; !child.is_branch() && k < static_cast<std::uint32_t>(child.count); ++k)
+          leaves_[order_[child.first + k]] = {number, i};
+      }
+    }
+    view_ = {nodes_.data(), order_.data()};
+  }
+
+  void walk(const Ray& ray, FastBoxSink& sink) const override { traces_.boxes(view_, ray, sink); }
+
+  void refit(std::span<const std::uint32_t> entries, const std::function<Aabb(std::uint32_t)>& box) override {
+    // Of many, each node once is less than each path to the root.
+    if (entries.size() > order_.size() / 16) {
+      for (auto number = static_cast<std::uint32_t>(nodes_.size()); number-- > 0;)
+        for (std::uint8_t i = 0; i < nodes_[number].children_count; ++i) set({number, i}, box);
+      return;
+    }
+    for (const std::uint32_t entry : entries) {
+      Place place = leaves_[entry];
+      for (set(place, box); place.node != 0; set(place, box)) place = parents_[place.node];
+    }
+  }
+
+ private:
+  /// A child of a node.
+  struct Place {
+    std::uint32_t node = 0;
+    std::uint8_t child = 0;
+  };
+
+  /// Makes the child's box from what is in it.
+  void set(const Place& place, const std::function<Aabb(std::uint32_t)>& box) {
+    WideFloatNode<width>& node = nodes_[place.node];
+    const NodeRef child = node.child(place.child);
+    Aabb all;
+    if (child.is_branch()) {
+      const WideFloatNode<width>& below = nodes_[child.first];
+      for (std::size_t i = 0; i < below.children_count; ++i)
+        all.grow(Aabb{{below.planes[0][i], below.planes[1][i], below.planes[2][i]},
+                      {below.planes[3][i], below.planes[4][i], below.planes[5][i]}});
+    } else {
+      for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(child.count); ++k)
+        all.grow(box(order_[child.first + k]));
+    }
+    for (unsigned plane = 0; plane < 6; ++plane) node.planes[plane][place.child] = all.plane(plane);
+  }
+
+  const FastTraces<width>& traces_;
+  std::vector<WideFloatNode<width>> nodes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Place> parents_;  ///< by node; the root has none
+  std::vector<Place> leaves_;   ///< by entry
+  FastBoxView<width> view_{};
+};
+
+/// Throws as fast_tracer().
+template <class Made, template <int> class Of, class... Parts>
+std::unique_ptr<Made> of_width(VectorWidth width, const Bvh& bvh, const Parts&... parts) {
+  if (bvh.nodes.empty()) throw std::invalid_argument("tracer: the hierarchy has no node; build it first");
+  if (!has_vectors(width)) throw std::invalid_argument("tracer: this processor has no vectors of eight");
+  if (width != VectorWidth::four && has_vectors(VectorWidth::eight))
+    return std::make_unique<Of<8>>(bvh, parts..., *fast_traces_of_eight());
+  return std::make_unique<Of<4>>(bvh, parts..., fast_traces<FourLanes, FourLanes, 4>);
+}
+
 }  // namespace
 
 bool has_vectors(VectorWidth width) {
-  return width != VectorWidth::eight || fast_trace_of_eight() != nullptr;
+  return width != VectorWidth::eight || fast_traces_of_eight() != nullptr;
 }
 
 std::unique_ptr<FastScene> fast_scene(const Bvh& bvh,
                                       const std::function<Mesh::Corners(std::uint32_t)>& corners,
                                       VectorWidth width) {
-  if (bvh.nodes.empty()) throw std::invalid_argument("tracer: the hierarchy has no node; build it first");
-  if (!has_vectors(width)) throw std::invalid_argument("tracer: this processor has no vectors of eight");
-  if (width != VectorWidth::four && has_vectors(VectorWidth::eight))
-    return std::make_unique<FastSceneOf<8>>(bvh, corners, fast_trace_of_eight());
-  return std::make_unique<FastSceneOf<4>>(bvh, corners, trace_fast<FourLanes, FourLanes, 4>);
+  return of_width<FastScene, FastSceneOf>(width, bvh, corners);
+}
+
+std::unique_ptr<FastBoxes> fast_boxes(const Bvh& bvh, VectorWidth width) {
+  return of_width<FastBoxes, FastBoxesOf>(width, bvh);
 }
 
 }  // namespace hitpipe::ref

@@ -25,11 +25,11 @@ struct FourOfAvx : FourLanes {};
 
 }  // namespace
 
-FastTrace<8> fast_trace_of_eight() {
-  return __builtin_cpu_supports("avx2") ? trace_fast<EightLanes, FourOfAvx, 8> : nullptr;
+const FastTraces<8>* fast_traces_of_eight() {
+  return __builtin_cpu_supports("avx2") ? &fast_traces<EightLanes, FourOfAvx, 8> : nullptr;
 }
 #else
-FastTrace<8> fast_trace_of_eight() {
+const FastTraces<8>* fast_traces_of_eight() {
   return nullptr;
 }
 #endif

@@ -15,7 +15,7 @@ class FloatQueries final : public RayQueries {
         scene_(fast_scene(
             bvh, [&](std::uint32_t triangle) { return mesh.corners(triangle); }, width)) {}
 
-  [[nodiscard]] NearestHit nearest(const Ray& ray, HitDetail detail) const override {
+  [[nodiscard]] NearestHit nearest(const Ray& ray, HitDetail detail, std::uint8_t /*mask*/) const override {
     HitSink sink(mesh_, ray, false);
     walk(ray, sink);
     NearestHit found{.triangle = sink.hit().triangle};
@@ -31,13 +31,13 @@ class FloatQueries final : public RayQueries {
     return found;
   }
 
-  [[nodiscard]] bool any(const Ray& ray) const override {
+  [[nodiscard]] bool any(const Ray& ray, std::uint8_t /*mask*/) const override {
     HitSink sink(mesh_, ray, true);
     walk(ray, sink);
     return sink.hit().found();
   }
 
-  [[nodiscard]] CrossingCount count(const Ray& ray) const override {
+  [[nodiscard]] CrossingCount count(const Ray& ray, std::uint8_t /*mask*/) const override {
     CrossingCount sum;
     visit_all(ray, [&](std::uint32_t /*triangle*/, const FloatCrossing& crossing) {
       sum.ties += crossing.tie ? 1 : 0;
@@ -48,7 +48,7 @@ class FloatQueries final : public RayQueries {
     return sum;
   }
 
-  void all(const Ray& ray, std::vector<RayCrossing>& to) const override {
+  void all(const Ray& ray, std::vector<RayCrossing>& to, std::uint8_t /*mask*/) const override {
     const auto first = static_cast<std::ptrdiff_t>(to.size());
     visit_all(ray, [&](std::uint32_t triangle, const FloatCrossing& crossing) {
       if (crossing.once)

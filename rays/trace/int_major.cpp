@@ -2,7 +2,8 @@
 
 namespace hitpipe::ref {
 
-MajorDistances::MajorDistances(const IntMajorRay& ray, const hls::MajorBits& bits)
+MajorDistances::MajorDistances(const IntMajorRay& ray, const hls::MajorBits& bits,
+                               const std::array<std::int64_t, 3>& slack)
     : finer_(bits.finer),
       fraction_(bits.fraction),
       mantissa_(bits.mantissa - 1),
@@ -11,10 +12,11 @@ MajorDistances::MajorDistances(const IntMajorRay& ray, const hls::MajorBits& bit
       most_(-least_ - 1) {
   for (std::size_t ray_axis = 0; ray_axis < 3; ++ray_axis) {
     // In the integer world the operand is negated already.
-    const std::int64_t origin = ray.origin[ray_axis];
+    const std::int64_t negated = bits.slope > 0 ? ray.origin[ray_axis] : -ray.origin[ray_axis];
     ray_axes_[ray_axis] = {static_cast<std::size_t>(ray.axes[ray_axis]),
                            ray.backward[ray_axis] ? -1 : 0,
-                           bits.slope > 0 ? origin : -origin,
+                           negated - slack[ray_axis],
+                           negated + slack[ray_axis],
                            1,
                            1,
                            0};

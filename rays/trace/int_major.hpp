@@ -19,16 +19,18 @@ namespace hitpipe::ref {
 /// The distances of one ray to planes, in units of 2^-F of their grid.
 class MajorDistances {
  public:
-  /// `ray` is set up for this format. In a format of the integer world it is ref::major_ray().
-  MajorDistances(const IntMajorRay& ray, const hls::MajorBits& bits);
+  /// `ray` is set up for this format. In a format of the integer world it is ref::major_ray(). With slack, by ray axis
+  /// and in units of the origin's grid, near planes are seen from so far ahead and far ones from so far behind.
+  MajorDistances(const IntMajorRay& ray, const hls::MajorBits& bits,
+                 const std::array<std::int64_t, 3>& slack = {});
 
   /// Of the lower and upper plane of ray axis m, a or b.
   [[nodiscard]] RayInterval slab(std::size_t ray_axis, const IntBox& box) const {
     const RayAxis& s = ray_axes_[ray_axis];
     const std::int64_t low = (std::int64_t{box.min[s.axis]} << finer_) ^ s.mirror;
     const std::int64_t high = (std::int64_t{box.max[s.axis]} << finer_) ^ s.mirror;
-    const std::int64_t d_near = (s.mirror < 0 ? high : low) + s.minus_origin;
-    const std::int64_t d_far = (s.mirror < 0 ? low : high) + s.minus_origin + carry_;
+    const std::int64_t d_near = (s.mirror < 0 ? high : low) + s.minus_near;
+    const std::int64_t d_far = (s.mirror < 0 ? low : high) + s.minus_far + carry_;
     if (ray_axis == 0) return {trimmed(d_near, 0), trimmed(d_far, 0)};
     const std::int64_t near = shifted(d_near, s.exponent) * (d_near < 0 ? s.ceil : s.floor);
     const std::int64_t far = shifted(d_far, s.exponent) * (d_far < 0 ? s.floor : s.ceil);
@@ -52,8 +54,9 @@ class MajorDistances {
  private:
   struct RayAxis {
     std::size_t axis;
-    std::int64_t mirror;  ///< -1: backward, else 0
-    std::int64_t minus_origin, floor, ceil;
+    std::int64_t mirror;                 ///< -1: backward, else 0
+    std::int64_t minus_near, minus_far;  ///< the negated origins
+    std::int64_t floor, ceil;
     int exponent;
   };
 

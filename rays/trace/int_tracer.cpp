@@ -19,7 +19,7 @@ class IntTracer final : public Tracer {
  public:
   IntTracer(const IntMesh& mesh, const Bvh* bvh, const IntTracerOptions& options)
       : mesh_(&mesh), bvh_(bvh), options_(options) {
-    if (bvh != nullptr) boxes_ = int_boxes(mesh, *bvh);
+    if (bvh != nullptr) boxes_ = int_boxes(mesh.triangles, *bvh);
   }
 
   void trace(const TraceJob& job, TraceCounts& counts) const override {

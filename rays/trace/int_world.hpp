@@ -1,6 +1,7 @@
 // Rays and triangles of the integer world, for the walks of rays/trace/walk.hpp: they pause at each triangle.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,9 +13,12 @@
 namespace hitpipe::ref {
 
 /// Bits 0..2: the direction is negative along x, y, z.
+[[nodiscard]] inline unsigned direction_class(const std::array<bool, 3>& negative) {
+  return static_cast<unsigned>(negative[0]) | static_cast<unsigned>(negative[1]) << 1U |
+         static_cast<unsigned>(negative[2]) << 2U;
+}
 [[nodiscard]] inline unsigned direction_class(const IntRay& ray) {
-  return static_cast<unsigned>(ray.negative[0]) | static_cast<unsigned>(ray.negative[1]) << 1U |
-         static_cast<unsigned>(ray.negative[2]) << 2U;
+  return direction_class(ray.negative);
 }
 
 /// An empty mesh has no hierarchy: see IntTracer.
@@ -22,8 +26,9 @@ class IntWorld {
  public:
   static constexpr bool asks_triangles = true;
 
-  IntWorld(const Bvh& bvh, const IntRay& ray)
-      : order_(bvh.order), length_(ray.length), class_(direction_class(ray)) {}
+  IntWorld(const Bvh& bvh, const IntRay& ray) : IntWorld(bvh, ray.length, direction_class(ray)) {}
+  IntWorld(const Bvh& bvh, std::int64_t length, unsigned order_class)
+      : order_(bvh.order), length_(length), class_(order_class) {}
 
   [[nodiscard]] unsigned order_class() const { return class_; }
   /// No T beyond it is of interest: the length of the ray, or T of the best hit. Boxes are cut there.

@@ -8,14 +8,15 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "rays/trace/crossing_count.hpp"
-#include "rays/trace/int_fast_scene.hpp"
 #include "rays/trace/int_tracer.hpp"
+#include "rays/trace/int_triangles.hpp"
 #include "rays/tree/bvh.hpp"
 #include "rays/world/crossing.hpp"
-#include "rays/world/int_box.hpp"
+#include "rays/world/instances.hpp"
 #include "rays/world/int_mesh.hpp"
 #include "rays/world/quick_crossing.hpp"
 
@@ -42,35 +43,39 @@ struct CrossingList {
 };
 
 /// All questions are about crossings with T of 0 up to the ray's length. Answers depend neither on the
-/// hierarchy nor on the format of boxes. Thread-safe.
+/// hierarchy nor on the format of boxes. With a mask, the ray does not see instances that have no bit of it.
+/// Thread-safe.
 class MeshCrossings {
  public:
-  /// As int_tracer(), which says what must outlive it and what it throws.
+  /// As int_triangles(), which says what must outlive it and what it throws.
   MeshCrossings(const IntMesh& mesh, const Bvh* bvh, const IntTracerOptions& options,
                 VectorWidth width = VectorWidth::best);
+  MeshCrossings(const IntInstances& world, const IntTracerOptions& options,
+                VectorWidth width = VectorWidth::best);
+  MeshCrossings(std::shared_ptr<const IntTriangles> triangles, const hls::WorldBits& bits)
+      : bits_(bits), crossing_(bits), triangles_(std::move(triangles)) {}
 
-  [[nodiscard]] CrossingCount count(const IntRay& ray) const;
+  /// Of closed triangles: the least T, and of equal ones the lowest number.
+  [[nodiscard]] IntHit nearest(const IntRay& ray, std::uint8_t mask = IntInstance::all_masks) const;
+  [[nodiscard]] bool any(const IntRay& ray, std::uint8_t mask = IntInstance::all_masks) const;
+  [[nodiscard]] CrossingCount count(const IntRay& ray, std::uint8_t mask = IntInstance::all_masks) const;
   /// The first crossing behind this place; nothing when there is none. Without a place it is the first of all.
-  [[nodiscard]] std::optional<MeshCrossing> next(const IntRay& ray, const CrossingPlace& behind = {}) const;
-  [[nodiscard]] CrossingList all(const IntRay& ray) const;
-  /// The walk that they go over; null if boxes are not exact, or there is no triangle.
-  [[nodiscard]] const IntFastScene* exact() const { return exact_.get(); }
+  [[nodiscard]] std::optional<MeshCrossing> next(const IntRay& ray, const CrossingPlace& behind = {},
+                                                 std::uint8_t mask = IntInstance::all_masks) const;
+  [[nodiscard]] CrossingList all(const IntRay& ray, std::uint8_t mask = IntInstance::all_masks) const;
+  /// What they go over.
+  [[nodiscard]] const IntTriangles& triangles() const { return *triangles_; }
   /// Of a closed mesh: whether this place, in units of the origin's grid, is inside. Nothing: it is on the mesh, or
   /// less than one of these units from it along an axis.
   [[nodiscard]] std::optional<bool> is_inside(const std::array<std::int64_t, 3>& place) const;
 
  private:
-  template <class Meets>
-  void walk(const IntRay& ray, const Meets& meets) const;
   template <class Visit>
-  void visit_all(const IntRay& ray, const Visit& visit) const;
+  void visit_all(const IntRay& ray, std::uint8_t mask, const Visit& visit) const;
 
-  const IntMesh* mesh_;
-  const Bvh* bvh_;
-  IntTracerOptions options_;
+  hls::WorldBits bits_;
   QuickCrossing crossing_;
-  std::shared_ptr<const IntFastScene> exact_;  ///< if boxes are exact and there are any
-  std::vector<IntBox> boxes_;                  ///< otherwise
+  std::shared_ptr<const IntTriangles> triangles_;
 };
 
 }  // namespace hitpipe::ref

@@ -33,13 +33,14 @@ concept HasSplitAxis = requires(const Children& children, const typename Childre
 };
 
 /// The children of a wide node, tested together. A node is known by its number.
-template <class Store, class Lanes = FourLanes, Widening widening = Widening::of_distances>
+template <class Store, class Lanes = FourLanes, Widening widening = Widening::of_distances,
+          class ItsRay = Ray>
 class WideChildren {
  public:
   using Node = NodeRef;
   static constexpr std::size_t width = Store::width;
 
-  WideChildren(const Store& store, const Ray& ray) : store_(store), test_(ray) {}
+  WideChildren(const Store& store, const ItsRay& ray) : store_(store), test_(ray) {}
 
   [[nodiscard]] Node root() const { return {}; }
   void cut(float length) { test_.cut(length); }
@@ -58,7 +59,7 @@ class WideChildren {
   using Stored = std::remove_reference_t<decltype(std::declval<const Store&>().node(0))>;
 
   const Store& store_;
-  ChildSlabs<Lanes, width, widening> test_;
+  ChildSlabs<Lanes, width, widening, ItsRay> test_;
   Stored* at_ = nullptr;
   alignas(32) float distances_[width];
 };

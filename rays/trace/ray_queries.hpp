@@ -19,6 +19,7 @@
 namespace hitpipe::ref {
 
 struct IntMesh;
+class IntTriangles;
 
 /// How much is found of a nearest hit. Exact numbers take longer than the triangle.
 enum class HitDetail : std::uint8_t { triangle, distance, weights };
@@ -36,15 +37,19 @@ struct RayCrossing {
   int side = 0;  ///< 1 or -1: the sign of direction . (b - a) x (c - a)
 };
 
-/// Thread-safe. Of a ray all that is in its length counts, ends included.
+/// Thread-safe. Of a ray all that is in its length counts, ends included. It does not see instances whose mask has no bit
+/// of `mask`.
 class RayQueries {
  public:
+  static constexpr std::uint8_t all_masks = 0xff;
+
   virtual ~RayQueries() = default;
-  [[nodiscard]] virtual NearestHit nearest(const Ray& ray, HitDetail detail) const = 0;
-  [[nodiscard]] virtual bool any(const Ray& ray) const = 0;
-  [[nodiscard]] virtual CrossingCount count(const Ray& ray) const = 0;
+  [[nodiscard]] virtual NearestHit nearest(const Ray& ray, HitDetail detail,
+                                           std::uint8_t mask = all_masks) const = 0;
+  [[nodiscard]] virtual bool any(const Ray& ray, std::uint8_t mask = all_masks) const = 0;
+  [[nodiscard]] virtual CrossingCount count(const Ray& ray, std::uint8_t mask = all_masks) const = 0;
   /// Appends them from near to far; at the same exact t by triangle.
-  virtual void all(const Ray& ray, std::vector<RayCrossing>& to) const = 0;
+  virtual void all(const Ray& ray, std::vector<RayCrossing>& to, std::uint8_t mask = all_masks) const = 0;
 };
 
 /// Corners and rays are finite, with coordinates up to 2^24 in magnitude. The mesh must outlive it, the hierarchy need
@@ -57,5 +62,9 @@ class RayQueries {
 [[nodiscard]] std::unique_ptr<RayQueries> int_queries(const IntMesh& mesh, const Bvh* bvh,
                                                       const hls::WorldBits& bits,
                                                       VectorWidth width = VectorWidth::best);
+
+/// Of instances, for example.
+[[nodiscard]] std::unique_ptr<RayQueries> int_queries(std::shared_ptr<const IntTriangles> triangles,
+                                                      const hls::WorldBits& bits);
 
 }  // namespace hitpipe::ref

@@ -114,7 +114,9 @@ class Walk {
 template <class World>
 class BoxWalk : public Walk<World> {
  public:
-  BoxWalk(const Bvh& bvh, World world, Query query) : Walk<World>(std::move(world), query), bvh_(&bvh) {}
+  /// Over what is below the node.
+  BoxWalk(const Bvh& bvh, World world, Query query, std::uint32_t node = 0)
+      : Walk<World>(std::move(world), query), bvh_(&bvh), node_(node) {}
 
   /// The node whose box is to be tested now.
   [[nodiscard]] std::uint32_t node() const { return node_; }
@@ -145,7 +147,7 @@ class BoxWalk : public Walk<World> {
   }
 
   const Bvh* bvh_;
-  std::uint32_t node_ = 0;
+  std::uint32_t node_;
   std::uint32_t top_ = 0;
   /// At most one sibling waits per level below the root.
   std::array<std::uint32_t, BuildOptions::deepest> stack_;  // only [0, top_) is read, so the rest is not set

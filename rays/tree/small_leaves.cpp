@@ -33,4 +33,24 @@ Bvh joined_leaves(const Bvh& bvh, int most) {
   return joined;
 }
 
+Bvh below(const Bvh& bvh, std::uint32_t node) {
+  Bvh made;
+  made.nodes.push_back(bvh.nodes[node]);
+  // Children are added behind all that are there, and the loop comes to them.
+  for (std::size_t i = 0; i < made.nodes.size(); ++i) {
+    const BvhNode its = made.nodes[i];
+    const std::uint32_t first = its.first;
+    if (its.is_leaf()) {
+      made.nodes[i].first = static_cast<std::uint32_t>(made.order.size());
+      const auto triangles = bvh.order.begin() + first;
+      made.order.insert(made.order.end(), triangles, triangles + its.count);
+    } else {
+      made.nodes[i].first = static_cast<std::uint32_t>(made.nodes.size());
+      made.nodes.push_back(bvh.nodes[first]);
+      made.nodes.push_back(bvh.nodes[first + 1]);
+    }
+  }
+  return made;
+}
+
 }  // namespace hitpipe::ref

@@ -1,6 +1,8 @@
 // Hierarchies for nodes whose leaves count only a few triangles.
 #pragma once
 
+#include <cstdint>
+
 #include "rays/tree/bvh.hpp"
 
 namespace hitpipe::ref {
@@ -12,5 +14,8 @@ namespace hitpipe::ref {
 /// A branch above at most `most` triangles becomes a leaf, where those are tested together. Nodes below it
 /// stay, and nothing leads to them.
 [[nodiscard]] Bvh joined_leaves(const Bvh& bvh, int most);
+
+/// What is below the node, as a hierarchy.
+[[nodiscard]] Bvh below(const Bvh& bvh, std::uint32_t node);
 
 }  // namespace hitpipe::ref

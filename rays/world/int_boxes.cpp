@@ -25,14 +25,14 @@ void grow(IntBox& box, const IntTriangle::Corner& corner) {
 
 }  // namespace
 
-std::vector<IntBox> int_boxes(const IntMesh& mesh, const Bvh& bvh) {
+std::vector<IntBox> int_boxes(std::span<const IntTriangle> triangles, const Bvh& bvh) {
   std::vector<IntBox> boxes(bvh.nodes.size(), empty_box());
   // Children come after their parents.
   for (std::size_t i = bvh.nodes.size(); i-- > 0;) {
     const BvhNode& node = bvh.nodes[i];
     if (node.is_leaf()) {
       for (std::size_t k = 0; k < static_cast<std::size_t>(node.count); ++k)
-        for (const IntTriangle::Corner& corner : mesh.triangles[bvh.order[node.first + k]].corners)
+        for (const IntTriangle::Corner& corner : triangles[bvh.order[node.first + k]].corners)
           grow(boxes[i], corner);
     } else {
       boxes[i] = union_of(boxes[node.first], boxes[node.first + 1]);

@@ -1,6 +1,7 @@
 // The boxes of a hierarchy over an integer mesh.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "rays/tree/bvh.hpp"
@@ -11,6 +12,6 @@ namespace hitpipe::ref {
 
 /// By node of the hierarchy: the smallest box of all corners below. A node without triangles is not in a
 /// hierarchy.
-[[nodiscard]] std::vector<IntBox> int_boxes(const IntMesh& mesh, const Bvh& bvh);
+[[nodiscard]] std::vector<IntBox> int_boxes(std::span<const IntTriangle> triangles, const Bvh& bvh);
 
 }  // namespace hitpipe::ref

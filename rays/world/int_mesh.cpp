@@ -84,8 +84,12 @@ std::uint32_t lost_on_grid(const Mesh& mesh, int coord_bits) {
 }
 
 Closedness closedness(const IntMesh& mesh) {
+  return closedness(mesh.triangles);
+}
+
+Closedness closedness(std::span<const IntTriangle> triangles) {
   Mesh on_grid;  // corners have at most 23 bits, so binary32 holds them
-  for (const IntTriangle& triangle : mesh.triangles) {
+  for (const IntTriangle& triangle : triangles) {
     const auto first = static_cast<std::uint32_t>(on_grid.vertices.size());
     for (const auto& [x, y, z] : triangle.corners) on_grid.vertices.emplace_back(x, y, z);
     on_grid.triangles.emplace_back(first, first + 1, first + 2);

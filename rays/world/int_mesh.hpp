@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "rays/mesh/mesh.hpp"
@@ -45,5 +46,7 @@ struct IntMesh {
 /// Of the triangles that are there, in units of the grid. So even() is true if and only if no line of this world
 /// crosses them an odd number of times. Triangles have their numbers in the integer mesh.
 [[nodiscard]] Closedness closedness(const IntMesh& mesh);
+/// The same of triangles that have all their numbers.
+[[nodiscard]] Closedness closedness(std::span<const IntTriangle> triangles);
 
 }  // namespace hitpipe::ref

@@ -1,6 +1,5 @@
 #include "rays/world/int_ray.hpp"
 
-#include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
@@ -34,17 +33,6 @@ std::int64_t slope(float other, float major, int bits) {
   const std::uint64_t denominator = below.mantissa;
   return down <= bits ? rounded(numerator << (bits - down), denominator)
                       : rounded(numerator, denominator << (down - bits));
-}
-
-MajorQuotient inverse_of(std::int64_t slope, const hls::MajorBits& bits) {
-  if (slope == 0) {
-    const std::uint32_t one = 1U << static_cast<unsigned>(bits.mantissa - 1);
-    return {one, one, bits.largest_exponent()};
-  }
-  // 2^S / s is 2^S / (s 2^shift), which has equal leading bits, times 2^shift.
-  const auto below = static_cast<std::uint64_t>(slope);
-  const int shift = bits.slope + 1 - static_cast<int>(std::bit_width(below));
-  return quotient_bounds(std::uint64_t{1} << bits.slope, below << shift, shift, bits);
 }
 
 }  // namespace
@@ -94,7 +82,9 @@ IntMajorRay major_ray(const IntRay& ray, const hls::MajorBits& bits) {
     const auto axis = static_cast<std::size_t>(made.axes[ray_axis]);
     made.backward[ray_axis] = ray.negative[axis];
     made.origin[ray_axis] = ray.negative[axis] ? ray.origin[axis] + 1 : -ray.origin[axis];
-    if (ray_axis > 0) made.quotient[ray_axis - 1] = inverse_of(std::abs(ray.direction[axis]), bits);
+    if (ray_axis > 0)
+      made.quotient[ray_axis - 1] = quotient_of(
+          std::uint64_t{1} << bits.slope, static_cast<std::uint64_t>(std::abs(ray.direction[axis])), bits);
   }
   return made;
 }

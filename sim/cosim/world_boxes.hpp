@@ -25,7 +25,7 @@ struct WorldBoxes {
   WorldBoxes(const ref::IntScene& its_scene, const hls::MajorBits& its_bits)
       : scene(&its_scene), bits(its_bits) {
     if (!its_scene.bvh) return;
-    boxes = ref::int_boxes(its_scene.mesh, *its_scene.bvh);
+    boxes = ref::int_boxes(its_scene.mesh.triangles, *its_scene.bvh);
     records.emplace(*its_scene.bvh);
     pairs = ref::int_pairs(boxes, *its_scene.bvh);
   }

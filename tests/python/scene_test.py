@@ -272,5 +272,32 @@ class Inside(unittest.TestCase):
             self.assertRegex(ran.stderr, "^inside: the mesh is not closed: 3 of its 6 edges")
 
 
+class Instances(unittest.TestCase):
+    def test_answer_as_one_mesh(self):
+        corners, triangles = cube(0.25)
+        unit = 131072 / 262143  # 2^17 units of the grid
+        instances = numpy.zeros(3, hitpipe.instances_dtype)
+        for i in range(3):
+            instances[i] = (0, 70 + i, [0, -1, 0, i / 2 - .5, 1, 0, 0, 0, 0, 0, 1, 0], 1 << i)
+        world = {"world": "20+1s20", "transform": {"offset": (0, 0, 0), "scale": unit}}
+        scene = hitpipe.Scene.of_instances([(corners, triangles)], instances, **world)
+        places = [corners @ matrix[:, :3].T + matrix[:, 3] for matrix in instances["matrix"].reshape(3, 3, 4)]
+        flat = hitpipe.Scene(numpy.concatenate(places).astype(numpy.float32),
+                             numpy.concatenate([triangles + 8 * i for i in range(3)]).astype(numpy.uint32), **world)
+        rays = rays_of((-1, .1, .1, 1, 0, 0, numpy.inf), (-.6, .2, -1, 0, 0, 1, numpy.inf), (0, .9, 0, 1, .2, 0, numpy.inf))
+        numpy.testing.assert_array_equal(scene.count(rays).crossings, [6, 2, 0])
+        for question in "nearest", "all":
+            for part in "triangle", "t":
+                numpy.testing.assert_array_equal(getattr(getattr(scene, question)(rays), part),
+                                                 getattr(getattr(flat, question)(rays), part))
+        parts = scene.parts(scene.nearest(rays).triangle)
+        self.assertEqual(parts["number"].tolist(), [70, 70, hitpipe.no_triangle])
+        self.assertEqual(scene.masked(6).count(rays).crossings.tolist(), [4, 0, 0])
+        with self.assertRaisesRegex(hitpipe.Error, "^instance 0: .* of the grid"):
+            scene.place(0, instances["matrix"].reshape(3, 3, 4)[:1] + numpy.array([0, 0, 0, 9.]))
+        scene.place(0, instances["matrix"].reshape(3, 3, 4)[2:])
+        numpy.testing.assert_array_equal(scene.count(rays).crossings, [6, 0, 0])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -40,7 +40,8 @@ typedef enum hitpipe_status {
   HITPIPE_BAD_MESH = 10,    /* a corner that is not allowed, or a triangle of corners that are not there */
   HITPIPE_BAD_HIERARCHY = 11, /* of nodes or an order that are none */
   HITPIPE_NOT_CLOSED = 12,  /* only a closed mesh has an inside */
-  HITPIPE_STOPPED = 13      /* the thread's hitpipe_watch ended the call */
+  HITPIPE_STOPPED = 13,     /* the thread's hitpipe_watch ended the call */
+  HITPIPE_BAD_INSTANCE = 14 /* of a mesh that is not there, or with a matrix that the world cannot hold */
 } hitpipe_status;
 
 /* Why the last call of this thread that failed did so: one line, "" if none did. Valid until the next failure

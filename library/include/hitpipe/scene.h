@@ -12,8 +12,8 @@
  * once: a ray through an edge that two triangles share crosses one of them, or none and both where it only touches
  * ("Exactly once" in docs/integer_world.md). So a line crosses a closed mesh an even number of times, always.
  * Errors, ownership: as <hitpipe/ref.h> says. Threads: any number may ask one scene at a time, and move it: a call is
- * about the places before a move or about those after it, and does not wait for it. A call that frees it needs it
- * alone. */
+ * about the places before a move or about those after it. It does not wait for a move of corners; instances move when
+ * nobody asks. A call that frees it needs it alone. */
 #ifndef HITPIPE_SCENE_H
 #define HITPIPE_SCENE_H
 
@@ -72,9 +72,11 @@ HITPIPE_API void hitpipe_scene_close(hitpipe_scene* scene);
 
 typedef struct hitpipe_scene_info {
   const char* world;            /* "float" or "20+1s20"; lives as long as the scene */
-  size_t triangles;             /* of the mesh */
-  size_t without_area;          /* of these, triangles that are never hit */
-  int closed;                   /* 1: each edge has an even number of triangles, so inside is defined */
+  size_t triangles;             /* of the mesh, or of all instances */
+  size_t without_area;          /* of these, triangles that are never hit; of instances: without an area on their meshes'
+                                   grids */
+  int closed;                   /* 1: each edge has an even number of triangles, so inside is defined. Of instances: those
+                                   of each mesh */
   int oriented;                 /* 1: each edge is passed as often either way, so signed counts balance */
   size_t odd_edges;             /* edges with an odd number of triangles */
   hitpipe_transform transform;  /* of an integer world; else offset 0 and scale 1 */
@@ -85,6 +87,48 @@ HITPIPE_API hitpipe_status hitpipe_scene_describe(const hitpipe_scene* scene, hi
  * follow, so this is much faster than a new scene; rays take longer the farther corners have moved. The transform
  * stays. After a refusal the scene is as it was. */
 HITPIPE_API hitpipe_status hitpipe_scene_move(hitpipe_scene* scene, const float* corners, int threads);
+
+/* ---- Instances: meshes in many places, in an integer world ----
+ * Answers are those of one mesh that has all triangles of all instances, instance by instance: a triangle's number is
+ * its number in its mesh and the triangles of all instances before. That mesh is never built. docs/instances.md has the
+ * definition. Where a matrix mirrors, corners 1 and 2 of each triangle are exchanged, so what was outside stays outside;
+ * weights are of the corners in that order. */
+typedef struct hitpipe_instance {
+  uint32_t mesh;     /* which */
+  uint32_t number;   /* yours: hitpipe_parts() gives it back */
+  double matrix[12]; /* three rows of four: a corner (x, y, z) is at matrix[0] x + matrix[1] y + matrix[2] z + matrix[3],
+                        and so on; it may mirror, and flatten */
+  uint8_t mask;      /* rays see the instance if their mask has a bit of it: 0xff is seen, and 0 is not */
+} hitpipe_instance;
+
+/* As hitpipe_scene_open() for meshes and instances. The world is an integer one, and options->hierarchy is NULL. Each
+ * mesh has a triangle. Without options->transform, all instances' boxes are fitted. HITPIPE_BAD_INSTANCE names the first
+ * bad instance: a mesh that is not there, a matrix that is not finite, or one that leaves the cube. */
+HITPIPE_API hitpipe_status hitpipe_scene_open_instances(const hitpipe_mesh* meshes, size_t mesh_count,
+                                                        const hitpipe_instance* instances, size_t instance_count,
+                                                        const hitpipe_scene_options* options, hitpipe_scene** out);
+/* hitpipe_fit_scene() for them. */
+HITPIPE_API hitpipe_status hitpipe_fit_instances(const hitpipe_mesh* meshes, size_t mesh_count,
+                                                 const hitpipe_instance* instances, size_t instance_count,
+                                                 const float* points, size_t point_count, hitpipe_transform* out);
+/* New matrices, `count` times 12 numbers, for the instances from `first` on. The transform stays. It waits until nobody
+ * asks the scene. After a refusal the scene is as it was. */
+HITPIPE_API hitpipe_status hitpipe_scene_place(hitpipe_scene* scene, size_t first, const double* matrices, size_t count,
+                                               int threads);
+/* The same scene for rays that have this mask. hitpipe_scene_close() frees it, and only the last one frees the scene:
+ * what one moves, all have moved. */
+HITPIPE_API hitpipe_status hitpipe_scene_masked(const hitpipe_scene* scene, uint8_t mask, hitpipe_scene** out);
+
+/* What a triangle of an answer is. */
+typedef struct hitpipe_part {
+  uint32_t instance; /* which */
+  uint32_t number;   /* yours of that instance */
+  uint32_t mesh;
+  uint32_t triangle; /* of that mesh */
+} hitpipe_part;
+/* Of HITPIPE_NO_TRIANGLE all four are HITPIPE_NO_TRIANGLE. A scene without instances has one, of one mesh. */
+HITPIPE_API hitpipe_status hitpipe_parts(const hitpipe_scene* scene, const uint32_t* triangles, size_t count,
+                                         hitpipe_part* out);
 
 /* ---- Questions ----
  * Rays are in the units of the mesh: the points origin + t * direction, 0 <= t <= length. Origins are up to 2^24 in

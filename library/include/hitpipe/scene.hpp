@@ -54,6 +54,17 @@ struct Crossings {
   std::vector<std::int8_t> side;
 };
 
+using Instance = hitpipe_instance;
+using Part = hitpipe_part;
+/// Three rows of four, as hitpipe_instance has it.
+using Matrix = std::array<double, 12>;
+
+/// A mesh that instances show.
+struct InstanceMesh {
+  std::span<const Point> corners;
+  std::span<const TriangleCorners> triangles;
+};
+
 /// Any number of threads may ask one scene while another moves it. `threads` is how many a call takes, 0: one a core.
 class Scene {
  public:
@@ -84,6 +95,31 @@ class Scene {
     scene_.reset(made);
   }
 
+  /// Meshes and instances, in an integer world; without a hierarchy of your own.
+  [[nodiscard]] static Scene of_instances(std::span<const InstanceMesh> meshes,
+                                          std::span<const Instance> instances, const SceneOptions& options) {
+    std::vector<hitpipe_mesh> own;
+    for (const InstanceMesh& mesh : meshes)
+      own.push_back({mesh.corners.empty() ? nullptr : mesh.corners.front().data(), mesh.corners.size(),
+                     mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(),
+                     mesh.triangles.size()});
+    if (!options.nodes.empty() || !options.order.empty())
+      throw std::invalid_argument("nodes and order: a scene of instances builds its own hierarchy");
+    hitpipe_scene_options chosen{options.world.c_str(), nullptr, options.transform, options.threads};
+    Transform fitted;
+    if (!options.contains.empty()) {
+      if (options.transform != nullptr)
+        throw std::invalid_argument("contains: a transform is given; it alone says what the cube holds");
+      check(hitpipe_fit_instances(own.data(), own.size(), instances.data(), instances.size(),
+                                  options.contains.front().data(), options.contains.size(), &fitted));
+      chosen.transform = &fitted;
+    }
+    hitpipe_scene* made = nullptr;
+    check(hitpipe_scene_open_instances(own.data(), own.size(), instances.data(), instances.size(), &chosen,
+                                       &made));
+    return {made, 0};
+  }
+
   /// For calls of the C interface; closed with this object.
   [[nodiscard]] hitpipe_scene* handle() const { return scene_.get(); }
   [[nodiscard]] SceneInfo info() const {
@@ -99,6 +135,24 @@ class Scene {
                                   std::to_string(corner_count_));
     if (corners.empty()) return;
     check(hitpipe_scene_move(scene_.get(), corners.front().data(), threads));
+  }
+
+  /// New matrices for the instances from `first` on.
+  void place(std::size_t first, std::span<const Matrix> matrices, int threads = 0) {
+    if (matrices.empty()) return;
+    check(hitpipe_scene_place(scene_.get(), first, matrices.front().data(), matrices.size(), threads));
+  }
+  /// The same scene for rays that have this mask: what one moves, both have moved.
+  [[nodiscard]] Scene masked(std::uint8_t mask) const {
+    hitpipe_scene* made = nullptr;
+    check(hitpipe_scene_masked(scene_.get(), mask, &made));
+    return {made, corner_count_};
+  }
+  /// What triangles of answers are.
+  [[nodiscard]] std::vector<Part> parts(std::span<const std::uint32_t> triangles) const {
+    std::vector<Part> all(triangles.size());
+    check(hitpipe_parts(scene_.get(), triangles.data(), triangles.size(), all.data()));
+    return all;
   }
 
   [[nodiscard]] Nearest nearest(std::span<const Ray> rays, bool weights = true, int threads = 0) const {
@@ -175,6 +229,8 @@ class Scene {
   struct Close {
     void operator()(hitpipe_scene* scene) const { hitpipe_scene_close(scene); }
   };
+
+  Scene(hitpipe_scene* made, std::size_t corner_count) : corner_count_(corner_count), scene_(made) {}
 
   std::size_t corner_count_;
   std::unique_ptr<hitpipe_scene, Close> scene_;

@@ -65,7 +65,7 @@ IntHit by_force(const IntMesh& mesh, const IntRay& ray, const WorldBits& bits) {
 /// Two boxes at a time, as int_major_pair tests them.
 IntHit by_pairs(const IntMesh& mesh, const Bvh& bvh, const IntRay& ray, const WorldBits& world,
                 const MajorBits& bits, Query query) {
-  const std::vector<PairBoxes> pairs = int_pairs(int_boxes(mesh, bvh), bvh);
+  const std::vector<PairBoxes> pairs = int_pairs(int_boxes(mesh.triangles, bvh), bvh);
   const MajorDistances distances(major_ray(ray, bits), bits);
   const BvhPairs records(bvh);
   const auto in_results = [&](std::int64_t length) { return in_box_units(length, world, bits); };
@@ -132,7 +132,7 @@ void PrintTo(const Planted& fault, std::ostream* out) {
 
 std::uint32_t walked(const IntMesh& mesh, const Bvh& bvh, const IntRay& ray, const WorldBits& world,
                      const MajorBits& bits, const Planted& fault) {
-  const std::vector<IntBox> boxes = int_boxes(mesh, bvh);
+  const std::vector<IntBox> boxes = int_boxes(mesh.triangles, bvh);
   const MajorDistances distances(major_ray(ray, bits), bits);
   IntBoxWalk walk(bvh, IntWorld(bvh, ray), Query::closest);
   while (!walk.done()) {
