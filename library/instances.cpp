@@ -22,6 +22,9 @@ namespace hitpipe::library {
 
 namespace {
 
+/// That a thread puts on the grid at a time.
+constexpr std::size_t instances_at_once = 1024;
+
 struct OwnScene {
   std::vector<ref::SourceMesh> meshes;
   std::vector<ref::OwnInstance> instances;
@@ -121,11 +124,10 @@ Instanced& instanced(const hitpipe_scene* scene) {
 
 }  // namespace
 
-Instanced::Instanced(std::span<const ref::SourceMesh> meshes, std::vector<ref::OwnInstance> its_instances,
+Instanced::Instanced(std::span<const ref::SourceMesh> meshes, std::span<const ref::OwnInstance> instances,
                      std::vector<std::uint32_t> its_numbers, const ref::Normalisation& transform,
                      const hls::WorldBits& bits, int threads)
-    : instances(std::move(its_instances)),
-      numbers(std::move(its_numbers)),
+    : numbers(std::move(its_numbers)),
       grids(meshes, instances, transform, bits),
       world(ref::int_instances(meshes, instances, grids, bits, leaves(threads))),
       triangles(std::make_shared<ref::FastInstances>(world, ref::VectorWidth::best)) {
@@ -175,9 +177,8 @@ hitpipe_status hitpipe_scene_open_instances(const hitpipe_mesh* meshes, size_t m
     state->origins = hitpipe::ref::origins_in_cube(state->transform, most_coordinate);
     hitpipe::host::with_threads(threads, [&] {
       refusing([&] {
-        state->instanced =
-            std::make_unique<Instanced>(own.meshes, std::move(own.instances), std::move(own.numbers),
-                                        state->transform, *state->bits, threads);
+        state->instanced = std::make_unique<Instanced>(own.meshes, own.instances, std::move(own.numbers),
+                                                       state->transform, *state->bits, threads);
       });
       auto placed = std::make_shared<Placed>();
       placed->queries = hitpipe::ref::int_queries(state->instanced->triangles, *state->bits);
@@ -200,7 +201,7 @@ hitpipe_status hitpipe_scene_place(hitpipe_scene* scene, size_t first, const dou
                                    int threads) {
   return guarded([&] {
     Instanced& its = instanced(scene);
-    const std::size_t all = its.instances.size();
+    const std::size_t all = its.numbers.size();
     if (first > all || count > all - first)
       throw Refusal(HITPIPE_BAD_ARGUMENT,
                     fmt::format("instances {} to {}; the scene has {}", first, first + count, all));
@@ -208,13 +209,12 @@ hitpipe_status hitpipe_scene_place(hitpipe_scene* scene, size_t first, const dou
     static_cast<void>(given(matrices, "matrices"));
     hitpipe::host::with_threads(checked_threads(threads), [&] {
       std::vector<hitpipe::ref::GridMap> maps(count);
-      std::vector<hitpipe::ref::OwnInstance> moved(count);
-      hitpipe::host::for_each_block(0, count, 1024, [&](std::size_t from, std::size_t to) {
+      hitpipe::host::for_each_block(0, count, instances_at_once, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-          moved[i] = its.instances[first + i];
-          set_matrix(moved[i], matrices + 12 * i, first + i);
+          hitpipe::ref::OwnInstance moved{.mesh = its.world.instances()[first + i].mesh};
+          set_matrix(moved, matrices + 12 * i, first + i);
           try {
-            maps[i] = its.grids.map(moved[i]);
+            maps[i] = its.grids.map(moved);
           } catch (const std::out_of_range& why) {
             throw Refusal(HITPIPE_BAD_INSTANCE, fmt::format("instance {}: {}", first + i, why.what()));
           }
@@ -224,7 +224,6 @@ hitpipe_status hitpipe_scene_place(hitpipe_scene* scene, size_t first, const dou
       std::vector<std::uint32_t> entries;
       refusing([&] { its.world.place(static_cast<std::uint32_t>(first), maps, entries); });
       its.triangles->follow(static_cast<std::uint32_t>(first), count, entries);
-      std::copy(moved.begin(), moved.end(), its.instances.begin() + static_cast<std::ptrdiff_t>(first));
     });
   });
 }
@@ -257,8 +256,8 @@ hitpipe_status hitpipe_parts(const hitpipe_scene* scene, const uint32_t* triangl
         parts[i] = {0, 0, 0, numbers[i]};
       } else {
         const auto [instance, triangle] = state.instanced->world.part(numbers[i]);
-        parts[i] = {instance, state.instanced->numbers[instance], state.instanced->instances[instance].mesh,
-                    triangle};
+        parts[i] = {instance, state.instanced->numbers[instance],
+                    state.instanced->world.instances()[instance].mesh, triangle};
       }
     }
   });

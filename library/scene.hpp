@@ -45,11 +45,10 @@ struct Placed {
 
 /// A scene of meshes and instances. Whoever asks holds it, and a move waits until nobody does.
 struct Instanced {
-  Instanced(std::span<const ref::SourceMesh> meshes, std::vector<ref::OwnInstance> its_instances,
+  Instanced(std::span<const ref::SourceMesh> meshes, std::span<const ref::OwnInstance> instances,
             std::vector<std::uint32_t> its_numbers, const ref::Normalisation& transform,
             const hls::WorldBits& bits, int threads);
 
-  std::vector<ref::OwnInstance> instances;
   std::vector<std::uint32_t> numbers;  ///< the caller's, by instance
   ref::InstanceGrids grids;
   ref::IntInstances world;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "host/parallel.hpp"
 #include "rays/tree/small_leaves.hpp"
 #include "rays/tree/wide_nodes.hpp"
 
@@ -77,10 +78,14 @@ class FastBoxesOf final : public FastBoxes {
   void walk(const Ray& ray, FastBoxSink& sink) const override { traces_.boxes(view_, ray, sink); }
 
   void refit(std::span<const std::uint32_t> entries, const std::function<Aabb(std::uint32_t)>& box) override {
-    // Of many, each node once is less than each path to the root.
+    // Of many, each node once is less than each path to the root. Leaves come first, by all threads.
     if (entries.size() > order_.size() / 16) {
+      host::for_each_block(0, nodes_.size(), 1024, [&](std::size_t first, std::size_t last) {
+        for (auto number = static_cast<std::uint32_t>(first); number < last; ++number)
+          for_children(number, false, [&](const Place& leaf) { set(leaf, box); });
+      });
       for (auto number = static_cast<std::uint32_t>(nodes_.size()); number-- > 0;)
-        for (std::uint8_t i = 0; i < nodes_[number].children_count; ++i) set({number, i}, box);
+        for_children(number, true, [&](const Place& branch) { set(branch, box); });
       return;
     }
     for (const std::uint32_t entry : entries) {
@@ -96,6 +101,12 @@ class FastBoxesOf final : public FastBoxes {
     std::uint8_t child = 0;
   };
 
+  /// Calls for those children of the node that are branches, or leaves.
+  template <class Call>
+  void for_children(std::uint32_t number, bool branches, const Call& call) const {
+    for (std::uint8_t i = 0; i < nodes_[number].children_count; ++i)
+      if (nodes_[number].child(i).is_branch() == branches) call({number, i});
+  }
   /// Makes the child's box from what is in it.
   void set(const Place& place, const std::function<Aabb(std::uint32_t)>& box) {
     WideFloatNode<width>& node = nodes_[place.node];

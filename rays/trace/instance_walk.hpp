@@ -82,6 +82,7 @@ void walk_instances(const IntInstances& world, const IntRay& ray, std::uint8_t m
     ++work.entered;
     IntBoxWalk walk(mesh.bvh(), IntWorld(mesh.bvh(), length, direction_class(negative)), Query::closest,
                     entry.node);
+    walk.answer(true);  // the entry's own box has been tested in the world
     walk_boxes(walk, test, mesh.boxes(), [&](std::uint32_t k) -> std::optional<std::int64_t> {
       const auto t = meets(base + k, world.triangle(number, k));
       if (!t) return std::nullopt;
@@ -89,7 +90,7 @@ void walk_instances(const IntInstances& world, const IntRay& ray, std::uint8_t m
       length = *t;
       return t;
     });
-    work.mesh_boxes += walk.counts().box_tests;
+    work.mesh_boxes += walk.counts().box_tests - 1;
     work.triangles += walk.counts().triangle_tests;
     return length == before ? std::nullopt : std::optional(length);
   };

@@ -7,10 +7,12 @@
 #include <cstdlib>
 #include <limits>
 
+#include "host/parallel.hpp"
 #include "rays/exact/binary32.hpp"
 #include "rays/tree/small_leaves.hpp"
 #include "rays/world/int_boxes.hpp"
 #include "rays/world/object_space.hpp"
+#include "rays/world/quick_numbers.hpp"
 
 namespace hitpipe::ref {
 
@@ -44,7 +46,7 @@ Aabb float_box(const IntBox& box, float padding) {
 
 CornerMap corner_map(const GridMap& map) {
   CornerMap made;
-  const double unit = std::ldexp(1.0, -map.fraction);
+  const double unit = power_of_two(-map.fraction);
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t j = 0; j < 3; ++j) made.matrix[k][j] = map.matrix[k][j] * unit;
     made.move[k] = map.move[k] + (map.fraction > 0 ? 0.5 : 0.0);
@@ -185,7 +187,9 @@ Aabb FastInstances::box_of(std::uint32_t entry) const {
 }
 
 void FastInstances::follow(std::uint32_t first, std::size_t count, std::span<const std::uint32_t> moved) {
-  for (std::size_t i = first; i < first + count; ++i) maps_[i] = corner_map(world_.instances()[i].map);
+  host::for_each_block(first, first + count, 4096, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) maps_[i] = corner_map(world_.instances()[i].map);
+  });
   if (top_) top_->refit(moved, [&](std::uint32_t entry) { return box_of(entry); });
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "rays/world/int128.hpp"
+#include "rays/world/quick_numbers.hpp"
 
 namespace hitpipe::ref {
 
@@ -116,11 +117,12 @@ GridMap grid_map(const std::array<std::array<double, 3>, 3>& matrix, const std::
                                         largest, GridMap::largest_coefficient));
   GridMap made;
   made.fraction = GridMap::most_fraction;
-  while (std::round(std::ldexp(largest, made.fraction)) > GridMap::largest_coefficient) --made.fraction;
+  while (nearest(largest * power_of_two(made.fraction)) > GridMap::largest_coefficient) --made.fraction;
+  const double scale = power_of_two(made.fraction);
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t j = 0; j < 3; ++j)
-      made.matrix[k][j] = static_cast<std::int32_t>(std::lround(std::ldexp(matrix[k][j], made.fraction)));
-    made.move[k] = static_cast<std::int32_t>(std::lround(move[k]));
+      made.matrix[k][j] = static_cast<std::int32_t>(nearest(matrix[k][j] * scale));
+    made.move[k] = static_cast<std::int32_t>(nearest(move[k]));
   }
   while (made.fraction > 0 && all_even(made.matrix)) {
     for (auto& row : made.matrix)

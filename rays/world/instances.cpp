@@ -77,7 +77,10 @@ void check_corners(const IntObject& mesh, std::uint32_t node, const GridMap& map
 /// Work on one is short.
 constexpr std::size_t instances_at_once = 256;
 
-/// The last ones of a large scene are no better than its others.
+/// An entry is opened if its box has so many times the area of the usual one. Smaller ones would gain less than their
+/// own blocks cost.
+constexpr double large_area = 4;
+
 std::size_t most_entries(std::size_t instances) {
   return instances + std::max<std::size_t>(instances / 4, 64);
 }
@@ -95,11 +98,10 @@ IntObject::IntObject(std::vector<IntTriangle> triangles, const BuildOptions& opt
   boxes_ = int_boxes(triangles_, bvh_);
   for (std::size_t k = 0; k < 3; ++k)
     most_[k] = std::max(std::abs(boxes_[0].min[k]), std::abs(boxes_[0].max[k]));
-  root_cover_ = cover(0);
+  cover_ = cover(0);
 }
 
 std::vector<IntBox> IntObject::cover(std::uint32_t node) const {
-  if (node == 0 && !root_cover_.empty()) return root_cover_;
   std::vector<std::uint32_t> nodes{node};
   const auto area = [&](std::uint32_t i) { return bvh_.nodes[i].is_leaf() ? -1.0 : half_area(boxes_[i]); };
   while (nodes.size() < most_in_cover) {
@@ -122,7 +124,9 @@ ObjectSpace IntInstances::space_of(std::uint32_t instance, std::uint32_t node, c
     GridMap::Place least{}, most{};
     least.fill(std::numeric_limits<std::int64_t>::max());
     most.fill(std::numeric_limits<std::int64_t>::min());
-    for (const IntBox& part : mesh.cover(node)) {
+    std::vector<IntBox> own;
+    if (node != 0) own = mesh.cover(node);
+    for (const IntBox& part : node == 0 ? mesh.cover() : own) {
       const auto [from, to] = map.places(part);
       for (std::size_t k = 0; k < 3; ++k) {
         least[k] = std::min(least[k], from[k]);
@@ -193,13 +197,13 @@ void IntInstances::open_large() {
   for (const Entry& entry : entries_) areas.push_back(half_area(entry.space.box));
   const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
   std::nth_element(areas.begin(), middle, areas.end());
-  const double usual = *middle;
+  const double large_from = large_area * *middle;
   const auto smaller = [&](std::uint32_t a, std::uint32_t b) {
     return half_area(entries_[a].space.box) < half_area(entries_[b].space.box);
   };
   std::vector<std::uint32_t> large;
   for (std::uint32_t i = 0; i < entries_.size(); ++i)
-    if (half_area(entries_[i].space.box) > usual) large.push_back(i);
+    if (half_area(entries_[i].space.box) > large_from) large.push_back(i);
   std::make_heap(large.begin(), large.end(), smaller);
   const std::size_t most = most_entries(entries_.size());
   while (!large.empty() && entries_.size() < most) {
@@ -213,7 +217,7 @@ void IntInstances::open_large() {
     entries_[at] = {instance, branch.first, space_of(instance, branch.first, map)};
     entries_.push_back({instance, branch.first + 1, space_of(instance, branch.first + 1, map)});
     for (const std::uint32_t part : {at, static_cast<std::uint32_t>(entries_.size() - 1)}) {
-      if (half_area(entries_[part].space.box) <= usual) continue;
+      if (half_area(entries_[part].space.box) <= large_from) continue;
       large.push_back(part);
       std::push_heap(large.begin(), large.end(), smaller);
     }

@@ -33,6 +33,8 @@ class IntObject {
 
   /// Boxes that together hold what is below the node, at most `most_in_cover`: the largest are opened first.
   [[nodiscard]] std::vector<IntBox> cover(std::uint32_t node) const;
+  /// Of the root.
+  [[nodiscard]] std::span<const IntBox> cover() const { return cover_; }
 
  private:
   static constexpr std::size_t most_in_cover = 8;
@@ -41,7 +43,7 @@ class IntObject {
   Bvh bvh_;
   std::vector<IntBox> boxes_;
   std::array<std::int32_t, 3> most_{};
-  std::vector<IntBox> root_cover_;
+  std::vector<IntBox> cover_;
 };
 
 /// A mesh somewhere in the world.

@@ -12,6 +12,7 @@
 
 #include "rays/exact/major_quotient.hpp"
 #include "rays/world/int128.hpp"
+#include "rays/world/quick_numbers.hpp"
 
 namespace hitpipe::ref {
 
@@ -49,7 +50,7 @@ double largest_of(const Matrix& m) {
 Matrix near_inverse(const GridMap& map) {
   Matrix own{};
   for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t j = 0; j < 3; ++j) own[k][j] = std::ldexp(map.matrix[k][j], -map.fraction);
+    for (std::size_t j = 0; j < 3; ++j) own[k][j] = map.matrix[k][j] * power_of_two(-map.fraction);
   const double size = std::max(largest_of(own), 0x1p-24);
   // The moved matrices have no line in common with most that flatten; some multiple of it has a determinant.
   constexpr Matrix beside{{{1.0, 0.11, 0.22}, {0.33, 1.0, 0.44}, {0.05, 0.17, 1.0}}};
@@ -67,34 +68,37 @@ Matrix near_inverse(const GridMap& map) {
   }
 }
 
-/// |N| by rows, summed.
-Int128 row_sum(const ObjectSpace& space, std::size_t k) {
-  Int128 sum = 0;
-  for (const std::int32_t x : space.to_object[k]) sum += std::abs(x);
-  return sum;
+/// |N| by rows, summed: below 2^15.
+std::int64_t row_sum(const ObjectSpace& space, std::size_t k) {
+  const auto& row = space.to_object[k];
+  return std::int64_t{std::abs(row[0])} + std::abs(row[1]) + std::abs(row[2]);
 }
 
 /// No difference of a plane or corner in the object and a ray's origin there needs more than n+g bits. Behind the
 /// second anchor an origin is at most three of the object's sizes away, and what the inverse is too short.
 bool fits(const ObjectSpace& space, const GridMap& map, const hls::WorldBits& bits) {
-  Int128 widest = 0, farthest = 0, unit = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    widest = std::max(widest, shifted(space.most[k], bits.finer) + space.slack[k]);
-    unit = std::max(unit, (row_sum(space, k) >> space.fraction) + 1);
-    // The first anchor is at a face along m, so along the others it is off by as much as the box is wide along m.
-    for (std::size_t m = 0; m < 3; ++m) {
-      Int128 reach = 0;
-      for (std::size_t j = 0; j < 3; ++j) {
-        std::int64_t far = std::max(std::abs(std::int64_t{space.box.min[j]} - map.move[j]),
-                                    std::abs(std::int64_t{space.box.max[j]} - map.move[j]));
-        if (j != m) far += std::int64_t{space.box.max[m]} - space.box.min[m] + 1;
-        reach += static_cast<Int128>(std::abs(space.to_object[k][j])) * far;
-      }
-      farthest = std::max(farthest, shifted(reach, bits.finer - space.fraction));
-    }
+  const std::int64_t limit = std::int64_t{1} << (bits.point() - 1);
+  std::array<std::int64_t, 3> far{}, wide{};
+  for (std::size_t j = 0; j < 3; ++j) {
+    far[j] = std::max(std::abs(std::int64_t{space.box.min[j]} - map.move[j]),
+                      std::abs(std::int64_t{space.box.max[j]} - map.move[j]));
+    wide[j] = std::int64_t{space.box.max[j]} - space.box.min[j] + 1;
   }
-  return 4 * widest + 2 * (farthest >> (ObjectSpace::inverse_bits - 1)) + 2 * unit + 16 <
-         static_cast<Int128>(1) << (bits.point() - 1);
+  std::int64_t widest = 0, farthest = 0, unit = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (space.slack[k] >= limit) return false;
+    const auto& row = space.to_object[k];
+    const std::int64_t sum = row_sum(space, k);
+    widest = std::max(widest, (std::int64_t{space.most[k]} << bits.finer) + space.slack[k]);
+    unit = std::max(unit, (sum >> space.fraction) + 1);
+    std::int64_t reach = 0;
+    for (std::size_t j = 0; j < 3; ++j) reach += std::abs(row[j]) * far[j];
+    // The first anchor is at a face along m, so along the others it is off by as much as the box is wide along m.
+    for (std::size_t m = 0; m < 3; ++m)
+      farthest =
+          std::max(farthest, ((reach + (sum - std::abs(row[m])) * wide[m]) << bits.finer) >> space.fraction);
+  }
+  return 4 * widest + 2 * (farthest >> (ObjectSpace::inverse_bits - 1)) + 2 * unit + 16 < limit;
 }
 
 bool is_singular(const ObjectSpace& space) {
@@ -127,7 +131,8 @@ std::array<std::int64_t, 3> slack_of(const ObjectSpace& space, const GridMap& ma
     const int by = down + 1 + j;
     const Int128 sum = shifted(beside, bits.finer + 1 + j) + of_corners + of_anchor;
     // The origin is cut off at its unit, and so is the way to the second anchor.
-    slack[k] = floored(sum + (static_cast<Int128>(1) << by) - 1, by) + 2;
+    const Int128 all = ((sum + (static_cast<Int128>(1) << by) - 1) >> by) + 2;
+    slack[k] = static_cast<std::int64_t>(std::min<Int128>(all, std::int64_t{1} << 60));
   }
   return slack;
 }
@@ -139,14 +144,15 @@ ObjectSpace object_space(const GridMap& map, const std::array<std::int32_t, 3>& 
   const double largest = largest_of(inverse);
   std::int32_t moved = 0;
   for (int halvings = 0; halvings < most_halvings; ++halvings) {
-    const double scale = std::ldexp(std::min(1.0, largest_coefficient / largest), -halvings);
-    const int exponent = std::ilogb(largest_coefficient / (largest * scale));
+    const double scale = std::min(1.0, largest_coefficient / largest) * power_of_two(-halvings);
+    const int exponent = exponent_of(largest_coefficient / (largest * scale));
     space.fraction = std::clamp(exponent, 0, ObjectSpace::most_fraction);
+    const double unit = scale * power_of_two(space.fraction);
     for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t j = 0; j < 3; ++j)
-        space.to_object[k][j] =
-            static_cast<std::int32_t>(std::lround(std::ldexp(inverse[k][j] * scale, space.fraction))) +
-            (k == j ? moved : 0);
+      for (std::size_t j = 0; j < 3; ++j) {
+        auto& x = space.to_object[k][j] = static_cast<std::int32_t>(nearest(inverse[k][j] * unit));
+        if (k == j) x += x + moved > largest_coefficient ? -moved : moved;
+      }
     if (is_singular(space)) {
       moved = 2 * moved + 1;
       continue;
