@@ -27,6 +27,7 @@
   COMMAND("Take it", rtl)                  \
   COMMAND("Take it", image)                \
   COMMAND("Judge it", trace)               \
+  COMMAND("Judge it", replay)              \
   COMMAND("Choose it", area)               \
   COMMAND("Choose it", fit)                \
   COMMAND("Put it onto a chip", implement) \

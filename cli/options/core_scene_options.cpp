@@ -25,6 +25,12 @@ ref::CoreImage read_core_image(const std::string& file) {
   }
 }
 
+void check_grid(const ref::CoreImage& image, const hls::WorldBits& world, const std::string& bits) {
+  if (const int n = image.header.coord_bits; n != world.coord)
+    throw std::runtime_error(fmt::format(
+        "--bits {}: the image has a grid of {} bits; allowed are formats that begin with {}+", bits, n, n));
+}
+
 std::optional<ref::CoreImage> CoreSceneChoice::stored() const {
   if (image.empty()) return std::nullopt;
   return read_core_image(image);
@@ -42,9 +48,7 @@ CoreScene CoreSceneChoice::load(std::optional<ref::CoreImage> stored, const hls:
     made.hierarchy = hierarchy.text();
     return made;
   }
-  if (const int n = stored->header.coord_bits; n != world.coord)
-    throw std::runtime_error(fmt::format(
-        "--bits {}: the image has a grid of {} bits; allowed are formats that begin with {}+", bits, n, n));
+  check_grid(*stored, world, bits);
   made.image = std::move(*stored);
   made.scene = std::make_shared<const ref::IntScene>(
       ref::image_scene(made.image, world, std::filesystem::path(image).stem().string(), scene.placing));

@@ -45,6 +45,8 @@ struct CoreSceneChoice {
 
 /// The image of a file. Throws std::runtime_error, "FILE: ...", for a file that is none.
 [[nodiscard]] ref::CoreImage read_core_image(const std::string& file);
+/// Throws std::runtime_error, one line, when the image has another n. `bits` is the format as the user knows it.
+void check_grid(const ref::CoreImage& image, const hls::WorldBits& world, const std::string& bits);
 
 struct CoreSceneOptions {
   CLI::Option *scene, *image;

@@ -1,5 +1,6 @@
 /* The driver of a core, in C: six calls, or nine with rays in memory, and one that reads a counter. Copy it to firmware
-   with the core's header, and supply the four functions of the platform. */
+   with the core's header, and supply the four functions of the platform. With -DCORE_RECORDS a host with files also
+   writes down rays and answers, and `hitpipe core replay` judges them. */
 #ifndef DRIVER_H
 #define DRIVER_H
 
@@ -189,5 +190,38 @@ static inline uint64_t core_count(uint32_t reg) {
   } while (high != core_read(reg + 4));
   return (uint64_t)high << 32 | low;
 }
+
+#ifdef CORE_RECORDS
+
+#include <inttypes.h>
+#include <stdio.h>
+
+/* The first lines of a file of rays and of a file of answers. */
+static inline void core_begin_records(FILE* rays, FILE* answers) {
+  fputs("ox,oy,oz,dx,dy,dz,length,any\n", rays);
+  fputs("ray,hit,number,t,failed\n", answers);
+}
+
+/* A ray as core_make_mesh_ray() takes it, in the mesh's own units. Numbers are hexadecimal, so none is rounded. A ray
+   for count or next cannot be judged again. */
+static inline void core_record_ray(FILE* rays, const double origin[3], const float direction[3], float length,
+                                   bool any) {
+  for (int axis = 0; axis < 3; ++axis) fprintf(rays, "%a,", origin[axis]);
+  for (int axis = 0; axis < 3; ++axis) fprintf(rays, "%a,", (double)direction[axis]);
+  fprintf(rays, "%a,%d\n", (double)length, any);
+}
+
+/* The answer to the ray that was recorded as number `ray`, from 0. Answers may come in any order. */
+static inline void core_record_answer(FILE* answers, uint32_t ray, const struct core_hit* hit) {
+  fprintf(answers, "%" PRIu32 ",", ray);
+  if (hit->failed)
+    fprintf(answers, ",,,%d\n", (int)hit->failed);
+  else if (hit->number == CORE_NO_HIT)
+    fputs("0,,,0\n", answers);
+  else
+    fprintf(answers, "1,%" PRIu64 ",%" PRIu64 ",0\n", (uint64_t)hit->number, (uint64_t)hit->t);
+}
+
+#endif
 
 #endif

@@ -1,4 +1,5 @@
-// A picture by the core: core_system scene.bin picture.pgm. It shows the scene `spheres` of hitpipe.
+// A picture by the core: core_system scene.bin picture.pgm [rays.csv answers.csv]. It shows the scene `spheres` of
+// hitpipe, and records rays and answers for `hitpipe core replay`.
 #include <algorithm>
 #include <cinttypes>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#define CORE_RECORDS
 #include "driver.h"
 
 uint32_t place_image(const char* file_name);  // the system puts the file into memory, and says where
@@ -38,7 +40,8 @@ Line camera_line(int pixel) {
 }
 
 int main(int count, char** arguments) {
-  if (count != 3) return std::fprintf(stderr, "core_system scene.bin picture.pgm\n"), 2;
+  if (count != 3 && count != 5)
+    return std::fprintf(stderr, "core_system scene.bin picture.pgm [rays.csv answers.csv]\n"), 2;
 
   std::ifstream file(arguments[1], std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
@@ -54,6 +57,16 @@ int main(int count, char** arguments) {
 #endif
   if (refused) return std::fprintf(stderr, "%s: %s\n", arguments[1], refused), 1;
 
+  FILE* const rays_record = count == 5 ? std::fopen(arguments[3], "w") : nullptr;
+  FILE* const answers_record = count == 5 ? std::fopen(arguments[4], "w") : nullptr;
+  const bool records = rays_record && answers_record;
+  if (count == 5 && !records) return std::fprintf(stderr, "core_system: cannot write the records\n"), 1;
+  if (records) core_begin_records(rays_record, answers_record);
+  for (int pixel = 0; records && pixel < pixels; ++pixel) {
+    const Line line = camera_line(pixel);
+    core_record_ray(rays_record, line.origin, line.direction, INFINITY, false);
+  }
+
   std::vector<uint8_t> picture(pixels), answers(pixels);
   uint64_t failed = 0, hits = 0;
   int taken = 0;
@@ -65,6 +78,7 @@ int main(int count, char** arguments) {
   };
   const auto take = [&](uint32_t pixel, const core_hit& hit) {
     ++taken, ++answers.at(pixel);
+    if (records) core_record_answer(answers_record, pixel, &hit);
     if (hit.failed && failed++ == 0) std::fprintf(stderr, "pixel %u: %s\n", pixel, core_why(&hit));
     if (hit.failed || hit.number == CORE_NO_HIT) return;
     ++hits;
@@ -101,6 +115,8 @@ int main(int count, char** arguments) {
   const uint64_t cycles = core_count(CORE_COUNT_CYCLES);
 #endif
 
+  if (records && (std::fclose(rays_record) | std::fclose(answers_record)) != 0)
+    return std::fprintf(stderr, "core_system: cannot write the records\n"), 1;
   std::ofstream(arguments[2], std::ios::binary) << "P5 " << width << " " << height << " 255\n"
                                                 << std::string(picture.begin(), picture.end());
   const uint64_t rays = core_count(CORE_COUNT_RAYS), answered = core_count(CORE_COUNT_ANSWERS);

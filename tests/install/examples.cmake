@@ -54,6 +54,12 @@ if(NOT bytes EQUAL 19215)
   message(FATAL_ERROR "picture.pgm has ${bytes} bytes")
 endif()
 
+# What the driver records is judged again.
+set(record ${built}/rays.csv ${built}/answers.csv)
+expect(0 "^19200 rays, 19200 answers, 11948 hits, 0 failed\n" ${program} ${record})
+set(replay ${PREFIX}/bin/hitpipe core replay ${built}/scene.bin --bits 16+1s16 --rays ${built}/rays.csv --answers ${built}/answers.csv)
+expect(0 "\nsame +19,200\n" ${replay})
+
 # The library answers the same rays, from a surface of its own.
 expect(0 "^1600 rays, 1600 answers, [1-9][0-9]+ hits, 0 differ from the library's\n$" ${CMAKE_COMMAND} -E chdir ${built} ./compare)
 

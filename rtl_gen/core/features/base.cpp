@@ -251,6 +251,8 @@ void identify(CoreIdentity& identity, const CoreOptions& options) {
 std::vector<Failure> failures() {
   return {
       {"the Verilog gives a wrong T", "`core trace` and `core board` count it as wrong"},
+      {"a core in a system of your own answers wrongly",
+       "`core replay` says so, of a record of rays and answers"},
       {"the image has another grid than the core, or is none",
        "`core_read_image()` says so. Each ray that reads it fails: 5"},
       {"the image is cut or half written",

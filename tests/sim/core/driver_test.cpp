@@ -10,6 +10,8 @@
 #include "host/files.hpp"
 #include "rays/image/core_image.hpp"
 #include "rtl_gen/core/c_header.hpp"
+#include "sim/core/recorded_answers.hpp"
+#include "sim/operands/ray_list.hpp"
 #include "tests/rtl_gen/tool.hpp"
 #include "tests/sim/small_scene.hpp"
 
@@ -206,6 +208,68 @@ TEST_F(CoreDriver, RefusesAnImageThatIsNotTheCores) {
   EXPECT_EQ(of(large, image_.header), "the image does not end where a line does, 0 writes");
   large.resize(2);
   EXPECT_EQ(says(ref::core_image_bytes(large), "0x40"), "there is no image, 0 writes");
+}
+
+/// Records three rays, and their answers in another order.
+constexpr const char* recorder = R"(#include "driver.h"
+void bus_write(uint32_t address, uint32_t value) {
+  (void)address, (void)value;
+}
+uint32_t bus_read(uint32_t address) {
+  return address;
+}
+bool fifo_send(uint32_t tag, const uint8_t* bytes) {
+  return tag == bytes[0];
+}
+bool fifo_take(uint32_t* tag, uint8_t* bytes) {
+  return *tag == bytes[0];
+}
+int main(void) {
+  const double origin[3] = {0.1, 0.3, 0.7};
+  const float direction[3] = {0.1f, -1, 1e-30f};
+  struct core_hit hit;
+  FILE *const rays = fopen("rays.csv", "w"), *const answers = fopen("answers.csv", "w");
+  if (!rays || !answers) return 2;
+  memset(&hit, 0, sizeof hit);
+  core_begin_records(rays, answers);
+  for (int i = 0; i < 3; ++i) core_record_ray(rays, origin, direction, i == 0 ? 1 / 0.0f : 0.1f, i == 1);
+  hit.failed = 4;
+  core_record_answer(answers, 2, &hit);
+  hit.failed = 0;
+  hit.number = CORE_NO_HIT;
+  core_record_answer(answers, 1, &hit);
+  hit.number = 70000;
+  hit.t = 123456;
+  core_record_answer(answers, 0, &hit);
+  return fclose(rays) != 0 || fclose(answers) != 0;
+}
+)";
+
+TEST_F(CoreDriver, RecordsRaysAndAnswersForReplay) {
+  host::write_file((folder_.path() / "recorder.c").string(), recorder);
+  const rtl::ToolResult built = rtl::run_tool(
+      folder_.path(), "gcc", "cc",
+      "-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion "
+      "-Werror -DCORE_RECORDS -I. -I" HITPIPE_SOURCE "/examples/core_system recorder.c -o recorder");
+  ASSERT_EQ(built.status, 0) << built.output;
+  ASSERT_EQ(rtl::run_tool(folder_.path(), "recorder", "./recorder", "").status, 0);
+  const std::string rays_file = folder_.path() / "rays.csv";
+  const std::vector<AskedRay> rays = read_ray_list(rays_file, {.offset = {0.1, 0.3, 0.7}, .scale = 1.0 / 3});
+  ASSERT_EQ(rays.size(), 3U);
+  EXPECT_EQ(rays[0].ray.origin, glm::vec3(0)) << "no bit of the origin is lost";
+  EXPECT_EQ(rays[0].ray.direction, glm::vec3(0.1F, -1, 1e-30F));
+  EXPECT_TRUE(rays[0].ray.is_infinite());
+  EXPECT_EQ(rays[1].ray.length, static_cast<float>(double{0.1F} * (1.0 / 3)));
+  EXPECT_EQ(rays[1].query, ref::Query::any);
+  const std::vector<AnswerOfRay> answers =
+      read_recorded_answers(folder_.path() / "answers.csv", rays, rays_file);
+  ASSERT_EQ(answers.size(), 3U);
+  EXPECT_EQ(answers[0].ray, 2U);
+  EXPECT_EQ(answers[0].answer.failed, hls::outside_image);
+  EXPECT_TRUE(answers[1].answer.given);
+  EXPECT_EQ(answers[1].answer.triangle, std::nullopt);
+  EXPECT_EQ(answers[2].answer.triangle, 70'000U);
+  EXPECT_EQ(answers[2].answer.t, 123'456);
 }
 
 class RingDriver : public CoreDriver {
