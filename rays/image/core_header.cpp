@@ -94,6 +94,9 @@ CoreHeader header_of(std::span<const CoreBlock> blocks) {
     if (word(blocks, place) != 0)
       throw std::runtime_error(
           fmt::format("the header has {:#x} as its word {}; allowed is 0", word(blocks, place), place));
+  if ((sizes >> 24 & 0xff) != 0)
+    throw std::runtime_error(
+        fmt::format("the header has {} as byte 43 of the image; allowed is 0", sizes >> 24 & 0xff));
   constexpr int least = hls::WorldBits::min_proved_coord, most = hls::WorldBits::max_coord;
   const auto coord_bits = static_cast<int>(sizes & 0xff);
   if (coord_bits < least || coord_bits > most)

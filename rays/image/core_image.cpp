@@ -235,8 +235,21 @@ class ImageReader {
     seen_[block] = true;
   }
 
+  /// A core reads n bits of a plane, so one outside the cube would be another plane.
+  void check_record(std::uint32_t block, const CoreRecord& record) const {
+    if (to_block(record, image_.header.coord_bits) != image_.blocks[block])
+      fail(block, "bits of a record that have no meaning are not 0");
+    const auto most = static_cast<std::int32_t>(grid_scale(image_.header.coord_bits));
+    const auto outside = [&](std::int32_t plane) { return plane < -most || plane > most; };
+    const IntBox& planes = record.boxes.planes;
+    if (std::any_of(planes.min.begin(), planes.min.end(), outside) ||
+        std::any_of(planes.max.begin(), planes.max.end(), outside))
+      fail(block, "a plane lies outside the cube");
+  }
+
   void follow(const CoreRecord& record, std::uint32_t block, const IntBox& common, int level) {
     if (level >= CoreImage::most_levels) fail(block, "more than 60 records on a path");
+    check_record(block, record);
     levels_ = std::max(levels_, level + 1);
     ++image_.records;
     const std::array<IntBox, 2> boxes = boxes_in(record.boxes, common);
