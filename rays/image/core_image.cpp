@@ -276,9 +276,6 @@ class ImageReader {
     if (triangle.number == IntHit::none) fail(block, "a triangle with the number of none");
     const IntBox own = box_of(triangle.triangle);
     if (!holds(box, own)) fail(block, "its leaf's box does not hold the triangle whole");
-    const auto most = static_cast<std::int32_t>(grid_scale(image_.header.coord_bits));
-    if (!holds({{-most, -most, -most}, {most, most, most}}, own))
-      fail(block, "a corner lies outside the cube");
     if (is_degenerate(triangle.triangle)) fail(block, "a triangle without area");
     numbers_.push_back(triangle.number);
   }

@@ -58,9 +58,10 @@ struct CoreImage {
 
 /// Reads an image again from its blocks and counts what is in it. Throws std::runtime_error, one line, as
 /// header_of() does, and when the header does not tell the truth. It also throws, and names the block, when a
-/// child lies outside, a block is of another kind or another grid, is reached twice or never, a record has a plane
-/// outside the cube or bits without a meaning that are not 0, the boxes of a leaf do not hold its triangles whole, a record's boxes are not the common box that its parent promises, a triangle has no
-/// number, another's, no area or a corner outside the cube, or a path is too long.
+/// child lies outside, a block is of another kind or another grid, is reached twice or never, a record has a
+/// plane outside the cube or bits without a meaning that are not 0, the boxes of a leaf do not hold its triangles
+/// whole, a record's boxes are not the common box that its parent promises, a triangle has no number, another's or
+/// no area, or a path is too long.
 [[nodiscard]] CoreImage checked_image(std::vector<CoreBlock> blocks);
 
 }  // namespace hitpipe::ref

@@ -302,13 +302,13 @@ TEST(CoreHeader, IsRefusedWhenItDoesNotTellTheTruth) {
   expect_refused(with(header), "the header has the offset (0, inf, 0) and the scale 1; allowed");
 }
 
-/// Larger than what it holds, so a corner of the image is outside its cube.
-TEST(CoreImage, IsRefusedWithACornerOutsideItsCube) {
+/// Larger than what it holds, so corners of the image are outside its cube, and boxes that hold them.
+TEST(CoreImage, IsRefusedWithABoxOutsideItsCube) {
   IntScene scene = hills_in({}, 2);
   for (IntTriangle& triangle : scene.mesh.triangles)
     for (auto& corner : triangle.corners)
       for (std::int32_t& x : corner) x *= 2;
-  expect_refused(core_image(scene).blocks, "a corner lies outside the cube");
+  expect_refused(core_image(scene).blocks, "a plane lies outside the cube");
 }
 
 }  // namespace
