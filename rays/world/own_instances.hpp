@@ -7,23 +7,17 @@
 #include <span>
 #include <vector>
 
-#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include "hls/world/world_format.hpp"
 #include "rays/mesh/mesh.hpp"
+#include "rays/mesh/own_instance.hpp"
 #include "rays/scene/normalise.hpp"
 #include "rays/world/instances.hpp"
 
 namespace hitpipe::ref {
 
-/// A corner of the mesh is at linear * corner + move in the world.
-struct OwnInstance {
-  std::uint32_t mesh = 0;
-  glm::dmat3 linear{1.0};
-  glm::dvec3 move{0.0};
-  std::uint8_t mask = IntInstance::all_masks;
-};
+static_assert(OwnInstance{}.mask == IntInstance::all_masks);
 
 /// The box of all meshes' boxes as the instances have them; nothing without an instance.
 [[nodiscard]] std::optional<Bounds> own_bounds(std::span<const SourceMesh> meshes,
