@@ -99,9 +99,10 @@ std::string buffer_file_bytes(const std::filesystem::path& file, const std::stri
   return bytes;
 }
 
-/// They change no triangle and no transform of a file that is not animated. A name that ends in _ stands for
-/// all names that begin so.
-constexpr std::array<std::string_view, 24> gltf_extensions_read{"KHR_mesh_quantization",
+/// They are read, or change no triangle and no transform of a file that is not animated. A name that ends in _
+/// stands for all names that begin so.
+constexpr std::array<std::string_view, 25> gltf_extensions_read{"KHR_mesh_quantization",
+                                                                "EXT_mesh_gpu_instancing",
                                                                 "KHR_materials_",
                                                                 "ADOBE_materials_",
                                                                 "KHR_texture_",

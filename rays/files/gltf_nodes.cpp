@@ -26,12 +26,17 @@ glm::dmat4 gltf_matrix(const Place& place) {
 }
 
 /// A rotation has the length 1 but for rounding, which is taken out.
-glm::dmat4 gltf_rotation(const Place& place) {
-  const std::vector<double> q = place.numbers(4);
-  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+std::array<double, 4> gltf_quaternion(const Place& place) {
+  const std::vector<double> numbers = place.numbers(4);
+  const std::array<double, 4> q{numbers[0], numbers[1], numbers[2], numbers[3]};
   constexpr double rounding = 0.01;
-  if (!(std::abs(length - 1) <= rounding))
+  if (const double length = gltf_length(q); !(std::abs(length - 1) <= rounding))
     place.fail(fmt::format("has the length {}; a quaternion must have the length 1", length));
+  return q;
+}
+
+glm::dmat4 gltf_rotation(const std::array<double, 4>& q) {
+  const double length = gltf_length(q);
   const double x = q[0] / length;
   const double y = q[1] / length;
   const double z = q[2] / length;
@@ -43,27 +48,35 @@ glm::dmat4 gltf_rotation(const Place& place) {
 }
 
 GltfTransform gltf_transform(const Place& node) {
-  const bool has_parts = node.has("translation") || node.has("rotation") || node.has("scale");
   if (node.has("matrix")) {
-    if (has_parts)
+    if (node.has("translation") || node.has("rotation") || node.has("scale"))
       node.fail("has a matrix, and also translation, rotation or scale; only one of both is allowed");
     return gltf_signed(gltf_matrix(node.at("matrix")));
   }
-  GltfTransform transform;
-  if (!has_parts) return transform;
-  if (node.has("rotation")) transform.matrix = gltf_rotation(node.at("rotation"));
-  if (node.has("scale")) {
-    const glm::dvec3 scale = node.at("scale").vector();
-    for (int k = 0; k < 3; ++k) {
-      transform.matrix[k] *= scale[k];
-      transform.sign *= (scale[k] > 0) - (scale[k] < 0);
-    }
-  }
-  if (node.has("translation")) transform.matrix[3] = glm::dvec4(node.at("translation").vector(), 1.0);
-  return transform;
+  GltfParts parts;
+  if (node.has("rotation")) parts.rotation = gltf_quaternion(node.at("rotation"));
+  if (node.has("scale")) parts.scale = node.at("scale").vector();
+  if (node.has("translation")) parts.translation = node.at("translation").vector();
+  return gltf_transform(parts);
 }
 
 }  // namespace
+
+double gltf_length(const std::array<double, 4>& q) {
+  return std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+}
+
+GltfTransform gltf_transform(const GltfParts& parts) {
+  GltfTransform transform;
+  if (parts.rotation) transform.matrix = gltf_rotation(*parts.rotation);
+  for (int k = 0; parts.scale && k < 3; ++k) {
+    const double scale = (*parts.scale)[k];
+    transform.matrix[k] *= scale;
+    transform.sign *= (scale > 0) - (scale < 0);
+  }
+  if (parts.translation) transform.matrix[3] = glm::dvec4(*parts.translation, 1.0);
+  return transform;
+}
 
 GltfTransform gltf_signed(const glm::dmat4& matrix) {
   std::array<glm::dvec3, 3> columns;

@@ -1,11 +1,15 @@
 // The nodes of a glTF file: a forest of transforms.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 #include "rays/files/gltf_document.hpp"
 
@@ -24,6 +28,16 @@ struct GltfTransform {
 
 /// The sign of the determinant of its linear part; 0 if that is no more than a rounding.
 [[nodiscard]] GltfTransform gltf_signed(const glm::dmat4& matrix);
+
+/// What places a node, or an instance of it; each part may be missing.
+struct GltfParts {
+  std::optional<glm::dvec3> translation;
+  std::optional<std::array<double, 4>> rotation;  ///< x, y, z, w of a quaternion, of any length but 0
+  std::optional<glm::dvec3> scale;
+};
+/// First scaled, then rotated, then moved.
+[[nodiscard]] GltfTransform gltf_transform(const GltfParts& parts);
+[[nodiscard]] double gltf_length(const std::array<double, 4>& quaternion);
 
 class GltfNodes {
  public:

@@ -1,7 +1,10 @@
 #include "rays/files/gltf_reader.hpp"
 
+#include <compare>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +14,7 @@
 #include "host/reject.hpp"
 #include "rays/files/gltf_accessor.hpp"
 #include "rays/files/gltf_document.hpp"
+#include "rays/files/gltf_instances.hpp"
 #include "rays/files/gltf_nodes.hpp"
 #include "rays/files/gltf_primitive.hpp"
 #include "rays/files/gltf_skin.hpp"
@@ -22,6 +26,12 @@ std::string gltf_name(const Place& place) {
   return place.has("name") ? place.at("name").word() : "";
 }
 
+/// a * b, or so much that nobody has it. Sums of a few of these fit.
+std::uint64_t gltf_times(std::uint64_t a, std::uint64_t b) {
+  constexpr std::uint64_t very_much = std::uint64_t{1} << 60U;
+  return b != 0 && a > very_much / b ? very_much : a * b;
+}
+
 class GltfScene {
  public:
   GltfScene(std::string_view bytes, const std::filesystem::path& file)
@@ -31,22 +41,64 @@ class GltfScene {
         skins_(document_, nodes_),
         checked_(document_.size("meshes"), false) {}
 
-  FileMesh read() {
-    nodes_.visit([&](const Place& node, std::size_t, const GltfTransform&) { measure(node); });
-    mesh_.positions.reserve(positions_);
-    mesh_.corners.reserve(corners_);
-    nodes_.visit([&](const Place& node, std::size_t, const GltfTransform& own) { add(node, own); });
-    return std::move(mesh_);
+  FileMesh flattened() {
+    nodes_.visit([&](const Place& node, std::size_t, const GltfTransform&) {
+      check_visible(node);
+      if (node.has("mesh")) measure(node, GltfInstances(document_, accessors_, node).count());
+    });
+    FileMesh all;
+    all.positions.reserve(positions_);
+    all.corners.reserve(corners_);
+    nodes_.visit([&](const Place& node, std::size_t, const GltfTransform& own) {
+      if (node.has("mesh")) add(all, node, GltfInstances(document_, accessors_, node), own);
+    });
+    return all;
+  }
+
+  FileInstances instanced() {
+    FileInstances made;
+    std::map<Shape, std::optional<std::uint32_t>> numbers;
+    nodes_.visit([&](const Place& node, std::size_t, const GltfTransform& own) {
+      check_visible(node);
+      if (!node.has("mesh")) return;
+      const GltfInstances instances(document_, accessors_, node);
+      if (instances.count() == 0) return measure(node, 0);
+      const auto [shape, is_new] = numbers.try_emplace(shape_of(node));
+      if (is_new) {
+        measure(node, 1);
+        FileMesh mesh;
+        add(mesh, node, {}, {});
+        if (mesh.faces() != 0) {
+          shape->second = static_cast<std::uint32_t>(made.meshes.size());
+          mesh.groups.clear();
+          made.meshes.push_back(std::move(mesh));
+        }
+      }
+      bytes_ += gltf_times(instances.count(), sizeof(OwnInstance));
+      check_size(node);
+      for (std::uint64_t i = 0; shape->second && i < instances.count(); ++i) {
+        const GltfTransform placed = node.has("skin") ? GltfTransform{} : instances.placed(own, i);
+        made.instances.push_back({.mesh = *shape->second,
+                                  .linear = glm::dmat3(placed.matrix),
+                                  .move = glm::dvec3(placed.matrix[3])});
+      }
+    });
+    return made;
   }
 
  private:
-  static void check_extensions(const Place& node) {
-    if (!node.has("extensions")) return;
-    const Place extensions = node.at("extensions");
-    if (extensions.has("EXT_mesh_gpu_instancing"))
-      extensions.fail("EXT_mesh_gpu_instancing is not read; give a node for each instance");
-    if (!extensions.has("KHR_node_visibility")) return;
-    const Place visibility = extensions.at("KHR_node_visibility");
+  /// What makes the triangles of a node, but for its transform.
+  struct Shape {
+    std::uint64_t mesh = 0;
+    std::optional<std::uint64_t> skin{};
+    std::vector<double> weights{};
+
+    auto operator<=>(const Shape&) const = default;
+  };
+
+  static void check_visible(const Place& node) {
+    if (!node.has("extensions") || !node.at("extensions").has("KHR_node_visibility")) return;
+    const Place visibility = node.at("extensions").at("KHR_node_visibility");
     if (visibility.has("visible") && !visibility.at("visible").truth())
       visibility.fail("hidden nodes are not read; give a file without them");
   }
@@ -58,10 +110,16 @@ class GltfScene {
     return place.numbers(place.size());
   }
 
-  /// Calls for each primitive of the node's mesh that has triangles.
+  [[nodiscard]] Shape shape_of(const Place& node) const {
+    Shape shape{.mesh = document_.index("meshes", node.at("mesh"))};
+    if (node.has("skin")) shape.skin = document_.index("skins", node.at("skin"));
+    shape.weights = weights(node, document_.item("meshes", shape.mesh));
+    return shape;
+  }
+
+  /// Calls for each primitive of the node's mesh.
   template <class Call>
   void primitives(const Place& node, Call call) {
-    if (!node.has("mesh")) return;
     const std::uint64_t number = document_.index("meshes", node.at("mesh"));
     const Place mesh = document_.item("meshes", number);
     const Place list = mesh.at("primitives");
@@ -75,17 +133,18 @@ class GltfScene {
     checked_[number] = true;
   }
 
-  void measure(const Place& node) {
-    check_extensions(node);
-    if (node.has("mesh") && node.has("skin"))
-      bytes_ += sizeof(GltfTransform) * skins_.joints(node.at("skin"));
+  /// Counts what the node's mesh takes, so many times.
+  void measure(const Place& node, std::uint64_t times) {
+    if (node.has("skin")) bytes_ += sizeof(GltfTransform) * skins_.joints(node.at("skin"));
     primitives(
         node, [&](const Place& mesh, const Place& place, const GltfPrimitive& primitive, std::size_t morphs) {
-          positions_ += primitive.positions();
-          corners_ += primitive.corners();
-          bytes_ += sizeof(FileMesh::Group) + gltf_name(mesh).size() + material_name(place).size() +
-                    sizeof(double) * morphs + sizeof(glm::dvec3) * primitive.positions() * primitive.terms() +
-                    sizeof(std::uint32_t) * primitive.corners();
+          positions_ += gltf_times(primitive.positions(), times);
+          corners_ += gltf_times(primitive.corners(), times);
+          bytes_ += gltf_times(sizeof(FileMesh::Group) + gltf_name(mesh).size() +
+                                   material_name(place).size() + sizeof(double) * morphs +
+                                   sizeof(glm::dvec3) * primitive.positions() * primitive.terms() +
+                                   sizeof(std::uint32_t) * primitive.corners(),
+                               times);
           check_size(node);
         });
   }
@@ -109,14 +168,23 @@ class GltfScene {
     return primitive.has("material") ? gltf_name(document_.item("materials", primitive.at("material"))) : "";
   }
 
-  void add(const Place& node, const GltfTransform& transform) {
+  /// Adds the triangles of all instances, one behind the other.
+  void add(FileMesh& all, const Place& node, const GltfInstances& instances, const GltfTransform& own) {
     std::vector<GltfTransform> skin;
-    if (node.has("mesh") && node.has("skin")) skin = skins_.matrices(accessors_, node.at("skin"));
+    if (node.has("skin")) skin = skins_.matrices(accessors_, node.at("skin"));
+    std::vector<std::pair<FileMesh::Group, GltfPrimitive>> parts;
     primitives(node, [&](const Place& mesh, const Place& place, const GltfPrimitive& primitive, std::size_t) {
-      if (primitive.corners() == 0) return;
-      mesh_.groups.push_back({gltf_name(mesh), material_name(place), {}, mesh_.faces()});
-      primitive.add_to(mesh_, transform, skin);
+      if (primitive.corners() != 0)
+        parts.emplace_back(FileMesh::Group{gltf_name(mesh), material_name(place)}, primitive);
     });
+    for (std::uint64_t i = 0; !parts.empty() && i < instances.count(); ++i) {
+      const GltfTransform placed = instances.placed(own, i);
+      for (const auto& [group, primitive] : parts) {
+        all.groups.push_back(group);
+        all.groups.back().first_face = all.faces();
+        primitive.add_to(all, placed, skin);
+      }
+    }
   }
 
   GltfDocument document_;
@@ -124,7 +192,6 @@ class GltfScene {
   GltfNodes nodes_;
   GltfSkins skins_;
   std::vector<bool> checked_;  ///< of each mesh: its attributes
-  FileMesh mesh_;
   std::uint64_t positions_ = 0;
   std::uint64_t corners_ = 0;
   std::uint64_t bytes_ = 0;
@@ -133,7 +200,11 @@ class GltfScene {
 }  // namespace
 
 FileMesh read_gltf(std::string_view bytes, const std::filesystem::path& file) {
-  return GltfScene(bytes, file).read();
+  return GltfScene(bytes, file).flattened();
+}
+
+FileInstances read_gltf_instances(std::string_view bytes, const std::filesystem::path& file) {
+  return GltfScene(bytes, file).instanced();
 }
 
 }  // namespace hitpipe::ref

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "rays/files/file_mesh.hpp"
+#include "rays/mesh/own_instance.hpp"
 
 namespace hitpipe::ref {
 
@@ -19,11 +21,23 @@ namespace hitpipe::ref {
 ///
 /// Skipped are points, lines, primitives without positions, other scenes, and everything about materials,
 /// textures, images, cameras, lights and animations. An extension that is required must be in the list of
-/// gltf_document.cpp. EXT_mesh_gpu_instancing and hidden nodes of KHR_node_visibility are refused also if
-/// they are not required.
+/// gltf_document.cpp. EXT_mesh_gpu_instancing is read; hidden nodes of KHR_node_visibility are refused. Both also
+/// if they are not required.
 ///
 /// Throws std::runtime_error, one line that names the place in the JSON. Instances of a mesh may not take
 /// more memory than 32 MiB and 24 times the bytes of the file and its buffers.
 [[nodiscard]] FileMesh read_gltf(std::string_view bytes, const std::filesystem::path& file);
+
+/// Meshes without their groups, and where they are.
+struct FileInstances {
+  std::vector<FileMesh> meshes;
+  std::vector<OwnInstance> instances;
+};
+
+/// The same scene, with each mesh once. Nodes share a mesh if it has the same weights in them. A mesh with a skin
+/// lies where the skin puts it. Instances stand in the order of read_gltf()'s triangles; where one mirrors, its
+/// mesh is not turned. A mesh without triangles is left out. The limit is on what is stored, not on what instances
+/// stand for.
+[[nodiscard]] FileInstances read_gltf_instances(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace hitpipe::ref

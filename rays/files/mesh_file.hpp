@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rays/mesh/mesh.hpp"
+#include "rays/mesh/own_instance.hpp"
 #include "rays/scene/scene.hpp"
 
 namespace hitpipe::ref {
@@ -35,5 +36,15 @@ struct MeshGroup {
 /// The same of bytes in memory. The file's name says the format, and the files that a mesh names are beside it.
 [[nodiscard]] SourceMesh load_mesh(std::string_view bytes, const std::filesystem::path& file,
                                    std::vector<MeshGroup>& groups);
+
+/// The meshes of a file, each once, and where they are: of glTF the nodes with a mesh and their instances, of another
+/// format one instance that stays where it is. Their triangles, one instance behind the other and with two corners
+/// swapped where an instance mirrors, are those of the file, up to the rounding of products. So a mesh keeps
+/// triangles without area, and a triangle's number is that of the file. Throws as load_mesh(), but for scenes
+/// that are too large only when flattened, and for positions outside binary32 tells of corners of a mesh's box.
+[[nodiscard]] OwnInstances load_instances(const std::filesystem::path& file);
+[[nodiscard]] OwnInstances load_instances(std::string_view bytes, const std::filesystem::path& file);
+/// Whether files with this extension may have instances.
+[[nodiscard]] bool may_have_instances(const std::filesystem::path& file);
 
 }  // namespace hitpipe::ref

@@ -1,7 +1,10 @@
 // A mesh file of one format (HITPIPE_EXTENSION) as a scene: its mesh keeps the reader's promises, also in the
 // cube, or one line says what is wrong.
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -44,19 +47,40 @@ void expect_covering(const std::vector<ref::MeshGroup>& groups, const ref::Sourc
   expect(end == mesh.triangles.size(), "groups cover the mesh");
 }
 
+/// Flattened, instances have as many triangles as the mesh, which is null where the file is refused.
+void expect_instances(std::string_view bytes, const std::filesystem::path& file,
+                      const ref::SourceMesh* mesh) {
+  try {
+    const ref::OwnInstances own = ref::load_instances(bytes, file);
+    std::size_t triangles = 0;
+    for (const ref::OwnInstance& instance : own.instances) {
+      expect(instance.mesh < own.meshes.size(), "instances name meshes");
+      triangles += own.meshes[instance.mesh].triangles.size();
+    }
+    if (mesh != nullptr)
+      expect(triangles == mesh->triangles.size() + mesh->dropped.size(), "instances have all triangles");
+  } catch (const std::runtime_error& error) {
+    fuzz::expect_one_line(error.what());
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const sim::TemporaryFolder folder;  // where files that the mesh names would be
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const std::filesystem::path file = folder / "mesh." HITPIPE_EXTENSION;
+  std::optional<ref::SourceMesh> read;
   try {
     std::vector<ref::MeshGroup> groups;
-    ref::SourceMesh mesh = ref::load_mesh(bytes, folder / "mesh." HITPIPE_EXTENSION, groups);
+    read = ref::load_mesh(bytes, file, groups);
+    ref::SourceMesh mesh = *read;
     expect_whole(mesh);
     expect_covering(groups, mesh);
     expect_whole(ref::place(ref::mesh_scene(std::move(mesh), "mesh", groups)).mesh);
   } catch (const std::runtime_error& error) {
     fuzz::expect_one_line(error.what());
   }
+  expect_instances(bytes, file, read ? &*read : nullptr);
   return 0;
 }
