@@ -27,6 +27,7 @@
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
 #include "host/text.hpp"
+#include "rays/files/mesh_file.hpp"
 #include "rays/scene/normalise.hpp"
 #include "rays/tree/bvh_file.hpp"
 #include "sim/software/software.hpp"
@@ -94,12 +95,39 @@ Row extent_of(const ref::Scene& scene, std::span<const glm::dvec3> vertices, Out
           {"max", point_cell(box.max, format)}};
 }
 
+/// Of a file whose instances have more triangles than its meshes: what it stores, and what flattening makes of it.
+/// Bytes are those of corners, triangles and instances in own units.
+Row instances_of(const std::string& file, std::size_t flattened_vertices) {
+  if (!ref::may_have_instances(file)) return Row::object();
+  const ref::OwnInstances own = ref::load_instances(file);
+  std::size_t vertices = 0;
+  std::size_t stored = 0;
+  for (const ref::SourceMesh& mesh : own.meshes) {
+    vertices += mesh.vertices.size();
+    stored += mesh.triangles.size();
+  }
+  std::size_t flattened = 0;
+  for (const ref::OwnInstance& instance : own.instances)
+    flattened += own.meshes[instance.mesh].triangles.size();
+  if (stored >= flattened) return Row::object();
+  const auto bytes = [](std::size_t corners, std::size_t triangles) {
+    return corners * sizeof(glm::dvec3) + triangles * sizeof(glm::uvec3);
+  };
+  return {{"meshes", own.meshes.size()},
+          {"instances", own.instances.size()},
+          {"triangles_stored", stored},
+          {"triangles_flattened", flattened},
+          {"bytes_stored", bytes(vertices, stored) + own.instances.size() * sizeof(ref::OwnInstance)},
+          {"bytes_flattened", bytes(flattened_vertices, flattened)}};
+}
+
 Row record(const BvhCommand& command, const ref::Scene& scene, std::span<const glm::dvec3> vertices,
            const ref::LoadedBvh& hierarchy, double seconds) {
   const ref::BvhStatistics s = ref::statistics(hierarchy.bvh);
   Row row{{"scene", scene.name}};
   row.update(scene_row(scene));
   row.update(extent_of(scene, vertices, command.format));
+  row.update(instances_of(command.scene.name, vertices.size()));
   row.update(closed_row(scene, vertices, command.format));
   if (command.hierarchy.file.empty()) {
     row["builder"] = ref::builder_name(command.hierarchy.build.builder);

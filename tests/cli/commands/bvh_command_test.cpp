@@ -112,6 +112,20 @@ TEST(BvhCommand, SaysWhereAMeshIsOpen) {
   EXPECT_EQ(sewn.at("oriented"), true);
 }
 
+TEST(BvhCommand, SaysWhatInstancesSave) {
+  const std::string file = HITPIPE_SOURCE "/tests/cli/meshes/gltf_required_extension/instances.gltf";
+  const Json made = Json::parse(cli::printed("bvh --format json --scene " + file));
+  EXPECT_EQ(made.at("meshes"), 1);
+  EXPECT_EQ(made.at("instances"), 2);
+  EXPECT_EQ(made.at("triangles_stored"), 2);
+  EXPECT_EQ(made.at("triangles_flattened"), 4);
+  EXPECT_EQ(made.at("bytes_stored"), 4 * 24 + 2 * 12 + 2 * 112);
+  EXPECT_EQ(made.at("bytes_flattened"), 8 * 24 + 4 * 12);
+  EXPECT_THAT(cli::printed("bvh --scene " + file), HasSubstr("\ntriangles_flattened        4\n"));
+  const std::string plain = HITPIPE_SOURCE "/tests/cli/meshes/gltf_percent_uri/p.gltf";
+  EXPECT_FALSE(Json::parse(cli::printed("bvh --format json --scene " + plain)).contains("instances"));
+}
+
 TEST(BvhCommand, PrintsCornersOfTheFile) {
   const sim::TemporaryFolder folder;
   const std::string obj = folder.write("t.obj", "v 0 0 0\nv 4 0 0\nv 0.1 3.7 -1e-9\nf 1 2 3\n").string();
