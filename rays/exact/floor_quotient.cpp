@@ -3,17 +3,14 @@
 #include <bit>
 #include <cstdint>
 
+#include "rays/exact/quick_numbers.hpp"
+
 namespace hitpipe::ref {
 
 namespace {
 
 constexpr int fraction_bits = 52;
 constexpr std::uint64_t hidden_bit = std::uint64_t{1} << fraction_bits;
-
-/// 2^exponent of a normal double.
-double power_of_two(int exponent) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << fraction_bits);
-}
 
 }  // namespace
 

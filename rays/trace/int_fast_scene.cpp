@@ -9,10 +9,10 @@
 
 #include "host/parallel.hpp"
 #include "rays/exact/binary32.hpp"
+#include "rays/exact/quick_numbers.hpp"
 #include "rays/tree/small_leaves.hpp"
 #include "rays/world/int_boxes.hpp"
 #include "rays/world/object_space.hpp"
-#include "rays/world/quick_numbers.hpp"
 
 namespace hitpipe::ref {
 

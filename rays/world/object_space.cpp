@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "rays/exact/major_quotient.hpp"
+#include "rays/exact/quick_numbers.hpp"
 #include "rays/world/int128.hpp"
-#include "rays/world/quick_numbers.hpp"
 
 namespace hitpipe::ref {
 
