@@ -222,7 +222,7 @@ hitpipe_status hitpipe_scene_place(hitpipe_scene* scene, size_t first, const dou
       });
       const std::unique_lock alone(scene->state->instances_stay);
       std::vector<std::uint32_t> entries;
-      refusing([&] { its.world.place(static_cast<std::uint32_t>(first), maps, entries); });
+      refusing([&] { its.world.place(static_cast<std::uint32_t>(first), std::move(maps), entries); });
       its.triangles->follow(static_cast<std::uint32_t>(first), count, entries);
     });
   });

@@ -182,15 +182,14 @@ FastInstances::FastInstances(const IntInstances& world, VectorWidth width)
     top_ = fast_boxes(with_boxes(world.top(), world.top_boxes(), rays_.padding()), width);
 }
 
-Aabb FastInstances::box_of(std::uint32_t entry) const {
-  return float_box(world_.entries()[entry].space.box, rays_.padding());
-}
-
 void FastInstances::follow(std::uint32_t first, std::size_t count, std::span<const std::uint32_t> moved) {
   host::for_each_block(first, first + count, 4096, [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) maps_[i] = corner_map(world_.instances()[i].map);
   });
-  if (top_) top_->refit(moved, [&](std::uint32_t entry) { return box_of(entry); });
+  // Leaves near each other in one hierarchy are so in the other, and their entries need not be.
+  if (top_)
+    top_->refit(moved,
+                [&](std::uint32_t entry) { return float_box(world_.leaf_box(entry), rays_.padding()); });
 }
 
 void FastInstances::walk(const IntRay& ray, std::uint8_t mask, IntVisitor& visitor) const {

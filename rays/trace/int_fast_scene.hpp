@@ -90,9 +90,6 @@ class FastInstances final : public IntTriangles {
   void follow(std::uint32_t first, std::size_t count, std::span<const std::uint32_t> moved);
 
  private:
-  /// The box of an entry in the world.
-  [[nodiscard]] Aabb box_of(std::uint32_t entry) const;
-
   const IntInstances& world_;
   FloatRays rays_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<FastScene>> parts_;  ///< by mesh and node

@@ -15,11 +15,6 @@ namespace hitpipe::ref {
 
 namespace {
 
-/// h.
-std::int64_t half(int fraction) {
-  return fraction > 0 ? std::int64_t{1} << (fraction - 1) : 0;
-}
-
 bool all_even(const GridMap::Rows& rows) {
   for (const auto& row : rows)
     for (const std::int32_t a : row)
@@ -32,7 +27,7 @@ bool all_even(const GridMap::Rows& rows) {
 GridMap::Place GridMap::place(const IntTriangle::Corner& corner) const {
   Place placed{};
   for (std::size_t k = 0; k < 3; ++k) {
-    std::int64_t sum = half(fraction);
+    std::int64_t sum = half();
     for (std::size_t j = 0; j < 3; ++j) sum += std::int64_t{matrix[k][j]} * corner[j];
     placed[k] = (sum >> fraction) + move[k];
   }
@@ -48,7 +43,7 @@ IntTriangle::Corner GridMap::operator()(const IntTriangle::Corner& corner) const
 std::array<GridMap::Place, 2> GridMap::places(const IntBox& box) const {
   std::array<Place, 2> placed{};
   for (std::size_t k = 0; k < 3; ++k) {
-    std::int64_t low = half(fraction);
+    std::int64_t low = half();
     std::int64_t high = low;
     for (std::size_t j = 0; j < 3; ++j) {
       const std::int64_t one = std::int64_t{matrix[k][j]} * box.min[j];
@@ -116,7 +111,7 @@ GridMap grid_map(const std::array<std::array<double, 3>, 3>& matrix, const std::
     throw std::out_of_range(fmt::format("the matrix has {} in units of the grid; allowed is up to {} in size",
                                         largest, GridMap::largest_coefficient));
   GridMap made;
-  made.fraction = GridMap::most_fraction;
+  made.fraction = std::min(GridMap::most_fraction, GridMap::coefficient_bits - 2 - exponent_of(largest));
   while (nearest(largest * power_of_two(made.fraction)) > GridMap::largest_coefficient) --made.fraction;
   const double scale = power_of_two(made.fraction);
   for (std::size_t k = 0; k < 3; ++k) {

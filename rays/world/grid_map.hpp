@@ -22,6 +22,8 @@ struct GridMap {
   int fraction = 0;                                ///< f, 0..24
   IntTriangle::Corner move{};                      ///< tau, in units of the world's grid
 
+  /// h.
+  [[nodiscard]] std::int64_t half() const { return fraction > 0 ? std::int64_t{1} << (fraction - 1) : 0; }
   /// Of a corner of at most 24 bits. It may be anywhere.
   [[nodiscard]] Place place(const IntTriangle::Corner& corner) const;
   /// The world holds what it gives.

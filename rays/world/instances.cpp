@@ -76,6 +76,7 @@ void check_corners(const IntObject& mesh, std::uint32_t node, const GridMap& map
 
 /// Work on one is short.
 constexpr std::size_t instances_at_once = 256;
+constexpr std::size_t nodes_at_once = 4096;
 
 /// An entry is opened if its box has so many times the area of the usual one. Smaller ones would gain less than their
 /// own blocks cost.
@@ -101,10 +102,10 @@ IntObject::IntObject(std::vector<IntTriangle> triangles, const BuildOptions& opt
   cover_ = cover(0);
 }
 
-std::vector<IntBox> IntObject::cover(std::uint32_t node) const {
+BoxCover IntObject::cover(std::uint32_t node) const {
   std::vector<std::uint32_t> nodes{node};
   const auto area = [&](std::uint32_t i) { return bvh_.nodes[i].is_leaf() ? -1.0 : half_area(boxes_[i]); };
-  while (nodes.size() < most_in_cover) {
+  while (nodes.size() < BoxCover::most) {  // the largest are opened first
     const auto largest = std::max_element(
         nodes.begin(), nodes.end(), [&](std::uint32_t a, std::uint32_t b) { return area(a) < area(b); });
     const BvhNode& branch = bvh_.nodes[*largest];
@@ -114,25 +115,14 @@ std::vector<IntBox> IntObject::cover(std::uint32_t node) const {
   }
   std::vector<IntBox> boxes;
   for (const std::uint32_t i : nodes) boxes.push_back(boxes_[i]);
-  return boxes;
+  return BoxCover(boxes);
 }
 
 ObjectSpace IntInstances::space_of(std::uint32_t instance, std::uint32_t node, const GridMap& map) const {
   const IntObject& mesh = mesh_of(instance);
   const auto largest = static_cast<std::int32_t>(bits_.largest_corner());
   try {
-    GridMap::Place least{}, most{};
-    least.fill(std::numeric_limits<std::int64_t>::max());
-    most.fill(std::numeric_limits<std::int64_t>::min());
-    std::vector<IntBox> own;
-    if (node != 0) own = mesh.cover(node);
-    for (const IntBox& part : node == 0 ? mesh.cover() : own) {
-      const auto [from, to] = map.places(part);
-      for (std::size_t k = 0; k < 3; ++k) {
-        least[k] = std::min(least[k], from[k]);
-        most[k] = std::max(most[k], to[k]);
-      }
-    }
+    const auto [least, most] = node == 0 ? mesh.cover().places(map) : mesh.cover(node).places(map);
     IntBox box;
     bool inside = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -167,10 +157,8 @@ IntInstances::IntInstances(std::vector<IntObject> meshes, std::vector<IntInstanc
   bases_.push_back(static_cast<std::uint32_t>(count));
   if (instances_.empty()) return;
   entries_.resize(instances_.size());
-  host::for_each_block(0, entries_.size(), instances_at_once, [&](std::size_t first, std::size_t last) {
-    for (auto i = static_cast<std::uint32_t>(first); i < last; ++i)
-      entries_[i] = {i, 0, space_of(i, 0, instances_[i].map)};
-  });
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) entries_[i].instance = i;
+  make_spaces(0, entries_.size());
   open_large();
   std::vector<IntBox> boxes;
   boxes.reserve(entries_.size());
@@ -188,7 +176,7 @@ IntInstances::IntInstances(std::vector<IntObject> meshes, std::vector<IntInstanc
       leaves_[top_.order[node.first + k]] = i;
   }
   top_boxes_.resize(top_.nodes.size());
-  for (std::size_t i = top_.nodes.size(); i-- > 0;) top_boxes_[i] = box_of(static_cast<std::uint32_t>(i));
+  make_top_boxes();
 }
 
 /// Opens entries, the largest first, as long as one is larger than most: a ground below a thousand trees would overlap all.
@@ -236,38 +224,59 @@ IntBox IntInstances::box_of(std::uint32_t node) const {
   return box;
 }
 
-void IntInstances::place(std::uint32_t first, std::span<const GridMap> maps,
-                         std::vector<std::uint32_t>& moved) {
-  const auto before = [](const Entry& entry, std::uint32_t instance) { return entry.instance < instance; };
-  const auto from = std::lower_bound(entries_.begin(), entries_.end(), first, before);
-  const auto to =
-      std::lower_bound(from, entries_.end(), first + static_cast<std::uint32_t>(maps.size()), before);
-  std::vector<ObjectSpace> spaces(static_cast<std::size_t>(to - from));
-  host::for_each_block(0, spaces.size(), instances_at_once, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Entry& entry = from[static_cast<std::ptrdiff_t>(i)];
-      spaces[i] = space_of(entry.instance, entry.node, maps[entry.instance - first]);
+void IntInstances::make_top_boxes() {
+  // Leaves first, by all threads. Children are behind their branches.
+  host::for_each_block(0, top_.nodes.size(), nodes_at_once, [&](std::size_t first, std::size_t last) {
+    for (auto i = static_cast<std::uint32_t>(first); i < last; ++i)
+      if (top_.nodes[i].is_leaf()) top_boxes_[i] = box_of(i);
+  });
+  for (auto i = static_cast<std::uint32_t>(top_.nodes.size()); i-- > 0;)
+    if (!top_.nodes[i].is_leaf()) top_boxes_[i] = box_of(i);
+}
+
+void IntInstances::make_spaces(std::size_t first, std::size_t last) {
+  host::for_each_block(first, last, instances_at_once, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      Entry& entry = entries_[i];
+      entry.space = space_of(entry.instance, entry.node, instances_[entry.instance].map);
     }
   });
-  for (std::size_t i = 0; i < maps.size(); ++i) {
-    instances_[first + i].map = maps[i];
-    mirrors_[first + i] = maps[i].mirrors() ? 1 : 0;
+}
+
+void IntInstances::place(std::uint32_t first, std::vector<GridMap> maps, std::vector<std::uint32_t>& moved) {
+  const auto before = [](const Entry& entry, std::uint32_t instance) { return entry.instance < instance; };
+  const auto at = [&](std::uint32_t instance) {
+    return static_cast<std::uint32_t>(std::lower_bound(entries_.begin(), entries_.end(), instance, before) -
+                                      entries_.begin());
+  };
+  const std::uint32_t from = at(first), to = at(first + static_cast<std::uint32_t>(maps.size()));
+  const auto exchange = [&] {
+    host::for_each_block(0, maps.size(), instances_at_once, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        std::swap(instances_[first + i].map, maps[i]);
+        mirrors_[first + i] = instances_[first + i].map.mirrors() ? 1 : 0;
+      }
+    });
+  };
+  exchange();
+  try {
+    make_spaces(from, to);
+  } catch (...) {
+    exchange();
+    make_spaces(from, to);  // those from before: a second set of all would cost more than moving does
+    throw;
   }
-  const auto first_entry = static_cast<std::uint32_t>(from - entries_.begin());
-  for (std::uint32_t i = 0; i < spaces.size(); ++i) {
-    entries_[first_entry + i].space = spaces[i];
-    moved.push_back(first_entry + i);
-  }
+  for (std::uint32_t i = from; i < to; ++i) moved.push_back(i);
   // Of many, each node's box once is less than each path to the root.
-  if (spaces.size() > entries_.size() / 16) {
-    for (std::size_t i = top_.nodes.size(); i-- > 0;) top_boxes_[i] = box_of(static_cast<std::uint32_t>(i));
+  if (to - from > entries_.size() / 16) {
+    make_top_boxes();
     return;
   }
-  for (std::uint32_t i = 0; i < spaces.size(); ++i) {
-    std::uint32_t node = leaves_[first_entry + i];
+  for (std::uint32_t i = from; i < to; ++i) {
+    std::uint32_t node = leaves_[i];
     for (;; node = parents_[node]) {
       const IntBox box = box_of(node);
-      if (box == top_boxes_[node] && node != leaves_[first_entry + i]) break;
+      if (box == top_boxes_[node] && node != leaves_[i]) break;
       top_boxes_[node] = box;
       if (node == 0) break;
     }

@@ -5,11 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "hls/world/world_format.hpp"
 #include "rays/tree/bvh.hpp"
+#include "rays/world/box_cover.hpp"
 #include "rays/world/grid_map.hpp"
 #include "rays/world/int_box.hpp"
 #include "rays/world/int_mesh.hpp"
@@ -31,19 +33,17 @@ class IntObject {
   /// |coordinate| by axis.
   [[nodiscard]] const std::array<std::int32_t, 3>& most() const { return most_; }
 
-  /// Boxes that together hold what is below the node, at most `most_in_cover`: the largest are opened first.
-  [[nodiscard]] std::vector<IntBox> cover(std::uint32_t node) const;
+  /// Of what is below the node.
+  [[nodiscard]] BoxCover cover(std::uint32_t node) const;
   /// Of the root.
-  [[nodiscard]] std::span<const IntBox> cover() const { return cover_; }
+  [[nodiscard]] const BoxCover& cover() const { return *cover_; }
 
  private:
-  static constexpr std::size_t most_in_cover = 8;
-
   std::vector<IntTriangle> triangles_;
   Bvh bvh_;
   std::vector<IntBox> boxes_;
   std::array<std::int32_t, 3> most_{};
-  std::vector<IntBox> cover_;
+  std::optional<BoxCover> cover_;
 };
 
 /// A mesh somewhere in the world.
@@ -79,7 +79,7 @@ class IntInstances {
 
   /// New places for the instances from `first` on. The hierarchy over them stays, and its boxes follow; entries that
   /// have moved are added to `moved`. Throws as the constructor, and then nothing has changed.
-  void place(std::uint32_t first, std::span<const GridMap> maps, std::vector<std::uint32_t>& moved);
+  void place(std::uint32_t first, std::vector<GridMap> maps, std::vector<std::uint32_t>& moved);
 
   [[nodiscard]] const hls::WorldBits& bits() const { return bits_; }
   [[nodiscard]] std::span<const IntObject> meshes() const { return meshes_; }
@@ -107,6 +107,8 @@ class IntInstances {
   [[nodiscard]] const Bvh& top() const { return top_; }
   /// By node of top().
   [[nodiscard]] std::span<const IntBox> top_boxes() const { return top_boxes_; }
+  /// The box of the leaf of top() that has the entry.
+  [[nodiscard]] const IntBox& leaf_box(std::uint32_t entry) const { return top_boxes_[leaves_[entry]]; }
 
  private:
   hls::WorldBits bits_;
@@ -119,6 +121,10 @@ class IntInstances {
   void open_large();
   /// Of a node of top(), by what is below it.
   [[nodiscard]] IntBox box_of(std::uint32_t node) const;
+  /// Of all nodes of top().
+  void make_top_boxes();
+  /// The spaces of these entries, for the instances' maps.
+  void make_spaces(std::size_t first, std::size_t last);
 
   std::vector<Entry> entries_;  ///< by instance
   Bvh top_;

@@ -49,8 +49,9 @@ double largest_of(const Matrix& m) {
 /// The inverse of the map's matrix, or of one beside it if that flattens, or nearly so.
 Matrix near_inverse(const GridMap& map) {
   Matrix own{};
+  const double unit = power_of_two(-map.fraction);
   for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t j = 0; j < 3; ++j) own[k][j] = map.matrix[k][j] * power_of_two(-map.fraction);
+    for (std::size_t j = 0; j < 3; ++j) own[k][j] = map.matrix[k][j] * unit;
   const double size = std::max(largest_of(own), 0x1p-24);
   // The moved matrices have no line in common with most that flatten; some multiple of it has a determinant.
   constexpr Matrix beside{{{1.0, 0.11, 0.22}, {0.33, 1.0, 0.44}, {0.05, 0.17, 1.0}}};
@@ -62,8 +63,9 @@ Matrix near_inverse(const GridMap& map) {
     for (std::size_t j = 0; j < 3; ++j) det += m[0][j] * cofactor(m, 0, j);
     if (std::abs(det) < 1e-8 * size * size * size) continue;
     Matrix inverse{};
+    const double by = 1 / det;
     for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t j = 0; j < 3; ++j) inverse[k][j] = cofactor(m, j, k) / det;
+      for (std::size_t j = 0; j < 3; ++j) inverse[k][j] = cofactor(m, j, k) * by;
     return inverse;
   }
 }
@@ -103,10 +105,10 @@ bool fits(const ObjectSpace& space, const GridMap& map, const hls::WorldBits& bi
 
 bool is_singular(const ObjectSpace& space) {
   const auto& n = space.to_object;
-  Int128 det = 0;
+  std::int64_t det = 0;
   for (std::size_t j = 0; j < 3; ++j) {
     const std::size_t p = (j + 1) % 3, q = (j + 2) % 3;
-    det += static_cast<Int128>(n[0][j]) * (std::int64_t{n[1][p]} * n[2][q] - std::int64_t{n[1][q]} * n[2][p]);
+    det += n[0][j] * (std::int64_t{n[1][p]} * n[2][q] - std::int64_t{n[1][q]} * n[2][p]);
   }
   return det == 0;
 }
@@ -121,8 +123,9 @@ std::array<std::int64_t, 3> slack_of(const ObjectSpace& space, const GridMap& ma
   for (std::size_t k = 0; k < 3; ++k) {
     Int128 beside = 0;  // |1 - N A|, by the largest corner
     for (std::size_t q = 0; q < 3; ++q) {
-      Int128 r = k == q ? static_cast<Int128>(1) << down : 0;
-      for (std::size_t i = 0; i < 3; ++i) r -= static_cast<Int128>(space.to_object[k][i]) * map.matrix[i][q];
+      std::int64_t product = 0;
+      for (std::size_t i = 0; i < 3; ++i) product += std::int64_t{space.to_object[k][i]} * map.matrix[i][q];
+      const Int128 r = (k == q ? static_cast<Int128>(1) << down : 0) - product;
       beside += (r < 0 ? -r : r) * space.most[q];
     }
     const Int128 row = row_sum(space, k);

@@ -133,6 +133,13 @@ TEST(SceneOfInstances, AnswersAsOneMesh) {
     expect_same_answers(scene, flattened(shapes, instances).scene(options), rays);
   }
 
+  // If one is refused, none has moved.
+  std::vector<Matrix> matrices(instances.size());
+  for (Matrix& matrix : matrices) matrix = pieces.matrix();
+  matrices.back() = placed(unturned, {9, 0, 0});
+  EXPECT_THAT(message_of([&] { scene.place(0, matrices); }), HasSubstr("instance 39: "));
+  expect_same_answers(scene, flattened(shapes, instances).scene(options), rays);
+
   const Nearest nearest = scene.nearest(rays);
   const std::vector<Part> parts = scene.parts(nearest.triangle);
   std::size_t hits = 0;
