@@ -54,8 +54,8 @@ struct Judged {
   }
 };
 
-void judge(const MeshCrossings& tested, const IntRay& ray, std::uint8_t mask, const std::vector<Met>& all,
-           Judged& judged) {
+void judge(const MeshCrossings& tested, const IntRay& ray, std::uint8_t mask,
+           const std::vector<IntTriangle>& triangles, const std::vector<Met>& all, Judged& judged) {
   CrossingList right;
   IntHit nearest;
   for (const auto& [place, crossing] : all) {
@@ -69,6 +69,9 @@ void judge(const MeshCrossings& tested, const IntRay& ray, std::uint8_t mask, co
   }
   const IntHit found = tested.nearest(ray, mask);
   judged.of(found.triangle == nearest.triangle && (!found.found() || found.t == nearest.t));
+  // What weights are made of.
+  if (found.found() && nearest.found())
+    judged.of(tested.triangles().triangle(found.triangle) == triangles[nearest.triangle]);
   judged.of(tested.any(ray, mask) == nearest.found());
   judged.of(tested.count(ray, mask) == right.count);
   const CrossingList list = tested.all(ray, mask);
@@ -123,7 +126,7 @@ Judged fuzz(std::uint64_t seed, int rays, const Damage& damage) {
       }
       for (const std::int64_t length : lengths) {
         ray.length = length;
-        for (const MeshCrossings& walk : walks.all) judge(walk, ray, mask, all, judged);
+        for (const MeshCrossings& walk : walks.all) judge(walk, ray, mask, triangles, all, judged);
       }
     }
   }
@@ -220,8 +223,8 @@ TEST(Instances, MoveWithoutANewHierarchy) {
       for (int k = 0; k < 20; ++k) {
         const IntRay ray = worlds.ray(*world, triangles);
         const std::vector<Met> all = met_by(ray, 0xff, *world, triangles);
-        judge(crossings, ray, 0xff, all, judged);
-        judge(boxed, ray, 0xff, all, judged);
+        judge(crossings, ray, 0xff, triangles, all, judged);
+        judge(boxed, ray, 0xff, triangles, all, judged);
       }
     }
   }
